@@ -184,9 +184,9 @@ void DocumentExports::exportReport()
 {
   if (!mayExportShown()) return;
   make(tr("Export the report"), ".report.json", {tr("Report (*.json)"), tr("Table of the constraints (*.csv)")},
-       [deformation = editor_.deformation()](const std::string& path, Progress& /*progress*/) {
+       [report = editor_.report()](const std::string& path, Progress& /*progress*/) {
          const bool isTable = lowerCase(path).ends_with(".csv");
-         return Made{{isTable ? reportToCsv(deformation->report) : reportToJson(deformation->report), {}}};
+         return Made{{isTable ? reportToCsv(*report) : reportToJson(*report), {}}};
        });
 }
 

@@ -95,7 +95,12 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
     marks = markSet(*model, constraintMarks(*model, event.state->list, *event.deformation, places), marks);
     auto surface =
         std::make_shared<const VisibleSurface>(atRest->movedTo({event.deformation, &event.deformation->positions}));
-    return {event.state, event.deformation, std::move(surface), marks};
+    return {event.state,
+            event.deformation,
+            std::move(surface),
+            marks,
+            std::shared_ptr<const Report>(event.deformation, &event.deformation->report),
+            event.revision};
   };
   worker_ = std::make_unique<LiveDeformer>(mesh_.model, [this, prepared](const LiveEvent& event) mutable {
     const Solved solved = prepared(event);
@@ -287,6 +292,7 @@ void Editor::remember()
 void Editor::handle(const LiveEvent& event, Solved solved)
 {
   using Kind = LiveEvent::Kind;
+  if (event.kind == Kind::Examined) return takeReport(event);
   // Ignores events of states that were cancelled, shown from memory or belong to another document.
   while (!submitted_.empty() && submitted_.front().first < event.revision) submitted_.pop_front();
   if (submitted_.empty() || submitted_.front().first != event.revision) return;
@@ -306,6 +312,16 @@ void Editor::handle(const LiveEvent& event, Solved solved)
   if (event.kind == Kind::Cancelled) setSolveState(SolveState::Cancelled, {});
   if (event.kind == Kind::Unusable || event.kind == Kind::Broken)
     setSolveState(SolveState::Unusable, QString::fromStdString(event.message));
+}
+
+void Editor::takeReport(const LiveEvent& event)
+{
+  const auto isExamined = [&](const Solved& solved) { return solved.revision == event.revision; };
+  for (Solved& solved : solved_)
+    if (isExamined(solved)) solved.report = event.report;
+  if (!isExamined(shown_)) return;
+  shown_.report = event.report;
+  Q_EMIT examined();
 }
 
 void Editor::setSolveState(SolveState solveState, const QString& error)

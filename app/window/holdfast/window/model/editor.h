@@ -86,6 +86,14 @@ class Editor : public QObject {
 
   /// The newest finished deformation; null before the first, and without a document.
   [[nodiscard]] const std::shared_ptr<const DeformResult>& deformation() const noexcept { return shown_.deformation; }
+  /// That of `deformation`, with what a rest has found besides (`LiveEvent::Kind::Examined`); null with it.
+  [[nodiscard]] const std::shared_ptr<const Report>& report() const noexcept { return shown_.report; }
+  /// Whether `report` says what the solution made of the part: it does some milliseconds after `deformed`.
+  [[nodiscard]] bool isResultKnown() const
+  {
+    return report() == nullptr || report()->solve.status == SolveStatus::Failed ||
+           report()->result.status != ResultStatus::NotMeasured;
+  }
   /// The state of `deformation`; null with it. Names and places in the report belong to its list.
   [[nodiscard]] const std::shared_ptr<const DocumentState>& deformedState() const noexcept { return shown_.state; }
   [[nodiscard]] const Positions& positions() const { return surface()->positions(); }
@@ -168,6 +176,7 @@ class Editor : public QObject {
   void opened();             ///< another document, or none
   void stateChanged();       ///< the list or the options; the history with them
   void deformed();           ///< another deformation
+  void examined();           ///< the report of the deformation says more than before
   void solveStateChanged();  ///< or the error
   void stepChanged();        ///< of the worker
   void vertexSelectionChanged();
@@ -182,6 +191,8 @@ class Editor : public QObject {
     std::shared_ptr<const DeformResult> deformation;
     std::shared_ptr<const VisibleSurface> surface;  // where the deformation has moved it
     std::shared_ptr<const MarkSet> marks;
+    std::shared_ptr<const Report> report;
+    std::uint64_t revision = 0;
   };
 
   void submit(Supersede supersede);
@@ -194,6 +205,7 @@ class Editor : public QObject {
   void show(Solved solved);
   void remember();
   void handle(const LiveEvent& event, Solved solved);
+  void takeReport(const LiveEvent& event);
   void setSolveState(SolveState solveState, const QString& error);
   void setStep(const QString& step);
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <holdfast/base/printable.h>
@@ -5,6 +7,7 @@
 #include <holdfast/geometry/bounding_box.h>
 #include <holdfast/mesh/index_lists.h>
 #include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/panels/panels.h>
 #include <holdfast/window/text/number_text.h>
@@ -63,6 +66,7 @@ class FindingsPanel final : public RefreshedPanel {
     about_->setContentsMargins(9, 6, 9, 3);
     connect(&editor, &Editor::opened, this, &FindingsPanel::refresh);
     connect(&editor, &Editor::deformed, this, &FindingsPanel::refresh);
+    connect(&editor, &Editor::examined, this, &FindingsPanel::refresh);
     refresh();
   }
 
@@ -75,10 +79,7 @@ class FindingsPanel final : public RefreshedPanel {
       about_->setText(aboutMesh(editor_));
       about_->setToolTip(plainTip(QString::fromStdString(printable(editor_.mesh().path.string()))));
     }
-    // The report begins with those of the mesh.
-    findings_ = !editor_.isOpen()                  ? std::vector<Finding>()
-                : editor_.deformation() == nullptr ? editor_.model()->findings
-                                                   : editor_.deformation()->report.mesh.findings;
+    collect();
     if (findings_.size() > kMostFindings) findings_.resize(kMostFindings);
     while (cards_.size() < findings_.size()) addCard();
     for (std::size_t k = 0; k < cards_.size(); ++k) {
@@ -87,6 +88,29 @@ class FindingsPanel final : public RefreshedPanel {
     }
     if (!findings_.empty()) return pages_->showContent();
     pages_->showHint(editor_.isOpen() ? tr("No problems found.") : tr("No mesh is open."));
+  }
+
+  /// Warnings first. Until a result was looked at, those of the one before stay: cards do not flicker in a drag.
+  void collect()
+  {
+    const auto& report = editor_.report();
+    Findings findings;
+    if (!editor_.isResultKnown())
+      std::ranges::copy_if(findings_, std::back_inserter(findings), [this](const auto& f) { return isWarning(f); });
+    else
+      warnings_ = report == nullptr ? std::vector<std::string>() : report->result.warnings;
+    // The report begins with those of the mesh.
+    if (editor_.isOpen())
+      std::ranges::copy(report == nullptr ? editor_.model()->findings : report->mesh.findings,
+                        std::back_inserter(findings));
+    findings_ = std::move(findings);
+    std::ranges::stable_partition(findings_, [this](const Finding& finding) { return isWarning(finding); });
+  }
+
+  /// Whether it is about what the solution made of the part.
+  [[nodiscard]] bool isWarning(const Finding& finding) const
+  {
+    return std::ranges::find(warnings_, finding.kind) != warnings_.end();
   }
 
   void addCard()
@@ -104,6 +128,7 @@ class FindingsPanel final : public RefreshedPanel {
     QString kind = QString::fromStdString(finding.kind).replace('_', ' ');
     kind[0] = kind[0].toUpper();
     const bool isAboutConstraints = finding.idsOf == "constraint";
+    cards_[card]->setIcon(isWarning(finding) ? statusIcon(ConstraintStatus::Missed, palette()) : QIcon());
     cards_[card]->setTitle(isAboutConstraints ? tr("Constraints: %1").arg(kind.toLower()) : kind);
     cards_[card]->setText(QString::fromStdString(finding.message));
     cards_[card]->findChild<QPushButton*>("findingShow")->setVisible(!finding.ids.empty());
@@ -124,7 +149,8 @@ class FindingsPanel final : public RefreshedPanel {
   QLabel* about_ = nullptr;
   CardList* list_ = nullptr;
   std::vector<Card*> cards_;
-  std::vector<Finding> findings_;  // those on the cards
+  Findings findings_;  // those on the cards
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace

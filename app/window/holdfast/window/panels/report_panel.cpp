@@ -76,7 +76,20 @@ QString iterationsText(const RotationIterations& iterations)
            iterations.isConverged ? QString() : QObject::tr("; more would move it further"));
 }
 
-ReportLines reportLines(const Report& report, const std::string& units)
+/// "fine", or "doubtful: folded faces, inverted faces"
+QString resultText(const ResultVerdict& result)
+{
+  QStringList kinds;
+  for (const std::string& kind : result.warnings) kinds << QString::fromStdString(kind).replace('_', ' ');
+  return toText(name(result.status)) + (kinds.isEmpty() ? QString() : ": " + kinds.join(", "));
+}
+
+QString rangeText(const RatioVerdict& ratios)
+{
+  return QObject::tr("%1 to %2 times as large as at rest").arg(roundedText(ratios.least), roundedText(ratios.most));
+}
+
+ReportLines reportLines(const Report& report, const ResultVerdict& result, const std::string& units)
 {
   const SolveReport& solve = report.solve;
   ReportLines lines;
@@ -107,6 +120,10 @@ ReportLines reportLines(const Report& report, const std::string& units)
   if (solve.iterations)
     round("RotationIterations", QObject::tr("Rotations found"), iterationsText(*solve.iterations),
           solve.iterations->change);
+  say("Result", QObject::tr("Result"), resultText(result));
+  say("Lengths", QObject::tr("Lengths of edges"), rangeText(result.edges));
+  say("Areas", QObject::tr("Areas of faces"), rangeText(result.areas));
+  say("Volumes", QObject::tr("Enclosed volumes"), rangeText(result.volumes));
   round("Setup", QObject::tr("Set-up"), secondsText(solve.seconds.setup), solve.seconds.setup);
   round("Decomposition", QObject::tr("Decomposition"), secondsText(solve.seconds.factorization),
         solve.seconds.factorization);
@@ -144,7 +161,8 @@ class ReportPanel final : public RefreshedPanel {
     layout->addWidget(copy_, 0, Qt::AlignLeft);
     layout->addStretch(1);
     fill(*this, newScrollArea(content, tr("Solution")));
-    for (const auto signal : {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::solveStateChanged})
+    for (const auto signal :
+         {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::examined, &Editor::solveStateChanged})
       connect(&editor, signal, this, &ReportPanel::refresh);
     refresh();
   }
@@ -219,7 +237,8 @@ class ReportPanel final : public RefreshedPanel {
   {
     const bool isSolved = editor_.deformation() != nullptr;
     copy_->setVisible(isSolved);
-    show(isSolved ? reportLines(editor_.deformation()->report, editor_.deformedState()->list.units) : ReportLines());
+    if (isSolved && editor_.isResultKnown()) result_ = editor_.report()->result;
+    show(isSolved ? reportLines(*editor_.report(), result_, editor_.deformedState()->list.units) : ReportLines());
     const bool isCurrent = editor_.isCurrent();
     age_->setVisible(!isSolved || !isCurrent);
     age_->setText(!editor_.isOpen() ? tr("No mesh is open.")
@@ -294,7 +313,7 @@ class ReportPanel final : public RefreshedPanel {
   void copy()
   {
     if (editor_.deformation() == nullptr) return;
-    const ReportLines lines = reportLines(editor_.deformation()->report, editor_.deformedState()->list.units);
+    const ReportLines lines = reportLines(*editor_.report(), result_, editor_.deformedState()->list.units);
     QGuiApplication::clipboard()->setText(reportText(lines));
   }
 
@@ -309,6 +328,7 @@ class ReportPanel final : public RefreshedPanel {
   QFormLayout* report_ = nullptr;
   std::vector<QLabel*> values_;
   QPushButton* copy_ = nullptr;
+  ResultVerdict result_;  // the last that is known: texts do not flicker in a drag
 };
 
 }  // namespace

@@ -55,8 +55,8 @@ PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
     viewport_.frameVertices(vertices);
   };
   conflicts_ = add(tr("Conflicts"), "conflictsDock", newConflictPanel(editor));
-  lower_ = {add(tr("Selected"), "inspectorDock", newInspectorPanel(editor)), conflicts_,
-            add(tr("Mesh"), "findingsDock", newFindingsPanel(editor, showVertices)),
+  findings_ = add(tr("Mesh"), "findingsDock", newFindingsPanel(editor, showVertices));
+  lower_ = {add(tr("Selected"), "inspectorDock", newInspectorPanel(editor)), conflicts_, findings_,
             add(tr("Measured"), "measuredDock", newMeasuredPanel(editor)),
             add(tr("Solution"), "reportDock", newReportPanel(editor))};
   arrange();
@@ -85,6 +85,8 @@ PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
           [this](const std::vector<Index>& vertices) { editor_.selectVertices(vertices); });
   for (const auto& signal : {&Editor::opened, &Editor::deformed})
     connect(&editor_, signal, this, &PanelDocks::countConflicts);
+  for (const auto& signal : {&Editor::opened, &Editor::deformed, &Editor::examined})
+    connect(&editor_, signal, this, &PanelDocks::countWarnings);
 }
 
 QDockWidget* PanelDocks::add(const QString& title, const QString& objectName, QWidget* panel)
@@ -142,6 +144,14 @@ void PanelDocks::countConflicts()
   const auto& deformation = editor_.deformation();
   const Index count = deformation ? countOf(deformation->report, ConstraintStatus::Conflicting) : 0;
   conflicts_->setWindowTitle(count > 0 ? tr("Conflicts (%1)").arg(count) : tr("Conflicts"));
+}
+
+void PanelDocks::countWarnings()
+{
+  if (!editor_.isResultKnown()) return;
+  const auto& report = editor_.report();
+  const std::size_t count = report ? report->result.warnings.size() : 0;
+  findings_->setWindowTitle(count > 0 ? tr("Mesh (%1)").arg(count) : tr("Mesh"));
 }
 
 }  // namespace holdfast

@@ -36,6 +36,7 @@ class PanelDocks : public QObject {
   QDockWidget* add(const QString& title, const QString& objectName, QWidget* panel);
   void arrange();
   void countConflicts();
+  void countWarnings();
 
   Editor& editor_;
   Viewport& viewport_;
@@ -44,6 +45,7 @@ class PanelDocks : public QObject {
   SpherePanel* sphere_ = nullptr;
   HistogramPanel* histograms_ = nullptr;
   QDockWidget* conflicts_ = nullptr;
+  QDockWidget* findings_ = nullptr;
   QList<QDockWidget*> upper_;
   QList<QDockWidget*> lower_;
 };

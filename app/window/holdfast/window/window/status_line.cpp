@@ -1,9 +1,11 @@
 #include "holdfast/window/window/status_line.h"
 
 #include <QEvent>
+#include <algorithm>
 #include <cmath>
 
 #include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
@@ -30,6 +32,7 @@ StatusLine::StatusLine(Editor& editor, QWidget* parent)
       left_(named(new QLabel(this), "statusHint")),
       step_(named(new QLabel(this), "statusStage")),
       cancel_(named(new QPushButton(tr("Stop"), this), "statusStop")),
+      result_(named(new QLabel(this), "statusResult")),
       numbers_(named(new QLabel(this), "statusNumbers")),
       selection_(named(new QLabel(this), "statusSelection"))
 {
@@ -42,17 +45,22 @@ StatusLine::StatusLine(Editor& editor, QWidget* parent)
   addWidget(left_, 1);
   addPermanentWidget(step_);
   addPermanentWidget(cancel_);
+  addPermanentWidget(result_);
   addPermanentWidget(numbers_);
   addPermanentWidget(selection_);
   connect(cancel_, &QPushButton::clicked, &editor_, &Editor::cancelSolving);
   connect(&editor_, &Editor::opened, this, &StatusLine::clearDocumentMessage);
   connect(&editor_, &Editor::opened, this, &StatusLine::showNumbers);
-  connect(&editor_, &Editor::deformed, this, &StatusLine::showNumbers);
+  for (const auto& signal : {&Editor::deformed, &Editor::examined})
+    connect(&editor_, signal, this, &StatusLine::showNumbers);
+  for (const auto& signal : {&Editor::opened, &Editor::deformed, &Editor::examined})
+    connect(&editor_, signal, this, &StatusLine::showResult);
   for (const auto& signal : {&Editor::deformed, &Editor::vertexSelectionChanged})
     connect(&editor_, signal, this, &StatusLine::measureSelection);
   connect(&editor_, &Editor::solveStateChanged, this, &StatusLine::showStep);
   connect(&editor_, &Editor::stepChanged, this, &StatusLine::showStep);
   showNumbers();
+  showResult();
   showStep();
 }
 
@@ -109,6 +117,25 @@ void StatusLine::measureSelection()
       if (isMeasureDue_) measureSelection();
     };
   });
+}
+
+/// Says nothing of a result that is fine.
+void StatusLine::showResult()
+{
+  if (!editor_.isResultKnown()) return;
+  const auto& report = editor_.report();
+  result_->setVisible(report != nullptr && report->result.status == ResultStatus::Doubtful);
+  if (!result_->isVisibleTo(this)) return;
+  const auto count = static_cast<Index>(report->result.warnings.size());
+  QPalette own = palette();
+  own.setColor(QPalette::WindowText, statusColor(ConstraintStatus::Missed, own));
+  result_->setPalette(own);
+  result_->setText(countText(count, "Doubtful result: 1 finding", "Doubtful result: %1 findings"));
+  QStringList messages;
+  for (const Finding& finding : report->mesh.findings)
+    if (std::ranges::find(report->result.warnings, finding.kind) != report->result.warnings.end())
+      messages << QString::fromStdString(finding.message);
+  result_->setToolTip(plainTip(messages.join("\n\n")));
 }
 
 void StatusLine::showNumbers()

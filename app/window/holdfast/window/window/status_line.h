@@ -38,6 +38,7 @@ class StatusLine : public QStatusBar {
   void showHint();
   void clearDocumentMessage();
   void showNumbers();
+  void showResult();
   void measureSelection();
   void showStep();
 
@@ -47,6 +48,7 @@ class StatusLine : public QStatusBar {
   QLabel* left_;
   QLabel* step_;
   QPushButton* cancel_;
+  QLabel* result_;  // where it is doubtful
   QLabel* numbers_;
   QLabel* selection_;      // in place of the numbers while vertices are selected
   BackgroundJob measure_;  // of the selection
