@@ -14,6 +14,7 @@ void editsOfConstraints(benchmark::State& state, const Mesh& mesh);
 void manyPoints(benchmark::State& state, const Mesh& mesh);
 void randomPoints(benchmark::State& state, const Mesh& mesh);
 void verdicts(benchmark::State& state, const Mesh& mesh);
+void resultChecks(benchmark::State& state, const Mesh& mesh);
 void oneCoreAgainstAll(benchmark::State& state, const Mesh& mesh);
 void batchProgram(benchmark::State& state, const Mesh& mesh);
 void accuracy(benchmark::State& state, const Mesh& mesh);

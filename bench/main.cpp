@@ -19,6 +19,7 @@ try {
                         {"many points", manyPoints, {"1000"}},
                         {"random points", randomPoints, {"156"}},
                         {"verdicts", verdicts, {"438"}},
+                        {"checks of results", resultChecks, {"35", "173", "438"}},
                         {"one core against all", oneCoreAgainstAll, {"35", "173"}},
                         {"accuracy", accuracy, {"35", "173"}}},
                        argc, argv);

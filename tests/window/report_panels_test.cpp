@@ -69,6 +69,53 @@ TEST(FindingsPanel, SelectsTheConstraintsThatAFindingNames)
   EXPECT_EQ(editor.selectedConstraints(), (std::vector<Index>{2}));
 }
 
+/// A sheet whose middle is pulled over the rim that is held.
+ConstraintList pulledOver(const Vector3& pull)
+{
+  std::vector<Index> rim;
+  for (Index v = 0; v < 49; ++v)
+    if (v % 7 == 0 || v % 7 == 6 || v / 7 == 0 || v / 7 == 6) rim.push_back(v);
+  return test::listOf({test::hold(rim), test::moveBy(AtVertex{24}, pull)});
+}
+
+bool hasCard(const QWidget& panel, const QString& title)
+{
+  for (const Card* card : panel.findChildren<Card*>())
+    if (card->isVisibleTo(&panel) && card->findChild<QLabel*>("cardTitle")->text() == title) return true;
+  return false;
+}
+
+TEST(FindingsPanel, ListsWhatIsDoubtfulAboutTheResultAndShowsWhere)
+{
+  Editor editor;
+  std::vector<Index> shown;
+  const std::unique_ptr<QWidget> panel(
+      newFindingsPanel(editor, [&](const std::vector<Index>& vertices) { shown = vertices; }));
+  ASSERT_TRUE(test::showAndWait(*panel));
+  ASSERT_TRUE(test::openMesh(editor, test::grid(6, 6), pulledOver({2.5, 0, 0})));
+  ASSERT_TRUE(test::waitUntil([&] { return hasCard(*panel, "Folded faces"); }));
+  ASSERT_TRUE(test::waitUntil([&] { return hasCard(*panel, "Inverted faces"); })) << "when it rests";
+  EXPECT_EQ(panel->findChild<Card*>()->findChild<QLabel*>("cardTitle")->text(), "Folded faces") << "warnings first";
+  for (Card* card : panel->findChildren<Card*>())
+    if (card->findChild<QLabel*>("cardTitle")->text() == "Inverted faces")
+      press(*card->findChild<QPushButton*>("findingShow"));
+  EXPECT_FALSE(shown.empty());
+}
+
+TEST(FindingsPanel, LosesTheWarningsOfAResultThatIsFineAgain)
+{
+  Editor editor;
+  const std::unique_ptr<QWidget> panel(newFindingsPanel(editor, {}));
+  ASSERT_TRUE(test::showAndWait(*panel));
+  ASSERT_TRUE(test::openMesh(editor, test::grid(6, 6), pulledOver({2.5, 0, 0})));
+  ASSERT_TRUE(test::waitUntil([&] { return hasCard(*panel, "Folded faces"); }));
+  editor.edit("push back", pulledOver({0.2, 0, 0}));
+  ASSERT_TRUE(test::waitForCurrent(editor));
+  ASSERT_TRUE(test::waitUntil([&] { return !hasCard(*panel, "Folded faces"); }));
+  ASSERT_TRUE(test::waitUntil([&] { return editor.report()->result.crossingFaces.has_value(); }));
+  EXPECT_EQ(editor.report()->result.status, ResultStatus::Fine);
+}
+
 class ReportPanelOfSphere : public ::testing::Test {
  protected:
   void SetUp() override
