@@ -9,24 +9,24 @@ namespace {
 
 using Cell = std::array<std::int64_t, 3>;
 
-struct Entry {
+struct CellEntry {
   Cell cell;
   int vertex = 0;
 
-  friend auto operator<=>(const Entry&, const Entry&) = default;
+  friend auto operator<=>(const CellEntry&, const CellEntry&) = default;
 };
 
 // Cells along an axis at most: their numbers are exact as doubles, and so are those of their neighbours.
 constexpr double kMostCells = 0x1p52;
 
 /// The vertices in cubes of side `size`, sorted.
-std::vector<Entry> sortedByCell(const Positions& positions, std::span<const int> vertices, double size)
+std::vector<CellEntry> sortedByCell(const Positions& positions, std::span<const int> vertices, double size)
 {
   const Eigen::RowVector3d low = positions(vertices, Eigen::all).colwise().minCoeff();
-  std::vector<Entry> entries;
+  std::vector<CellEntry> entries;
   entries.reserve(vertices.size());
   for (const int v : vertices) {
-    Entry& entry = entries.emplace_back(Entry{{}, v});
+    CellEntry& entry = entries.emplace_back(CellEntry{{}, v});
     for (int k = 0; k < 3; ++k)
       entry.cell[k] = static_cast<std::int64_t>(std::floor(std::min((positions(v, k) - low[k]) / size, kMostCells)));
   }
@@ -51,12 +51,12 @@ std::vector<std::array<int, 2>> nearPairs(const Positions& positions, std::span<
 {
   std::vector<std::array<int, 2>> pairs;
   if (vertices.empty()) return pairs;
-  const std::vector<Entry> entries = sortedByCell(positions, vertices, distance);
+  const std::vector<CellEntry> entries = sortedByCell(positions, vertices, distance);
   const std::vector<Cell> steps = halfOfNeighbours();
-  for (const Entry& entry : entries)
+  for (const CellEntry& entry : entries)
     for (const Cell& step : steps) {
       const Cell cell{entry.cell[0] + step[0], entry.cell[1] + step[1], entry.cell[2] + step[2]};
-      for (auto other = std::ranges::lower_bound(entries, cell, {}, &Entry::cell);
+      for (auto other = std::ranges::lower_bound(entries, cell, {}, &CellEntry::cell);
            other != entries.end() && other->cell == cell; ++other)
         if ((cell != entry.cell || entry.vertex < other->vertex) &&
             (positions.row(entry.vertex) - positions.row(other->vertex)).stableNorm() <= distance)

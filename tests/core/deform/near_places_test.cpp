@@ -22,7 +22,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const Finding* findingOf(const Report& report, const std::string& kind)
+const Finding* placeFinding(const Report& report, const std::string& kind)
 {
   const auto found = std::ranges::find(report.mesh.findings, kind, &Finding::kind);
   return found == report.mesh.findings.end() ? nullptr : &*found;
@@ -31,7 +31,7 @@ const Finding* findingOf(const Report& report, const std::string& kind)
 /// A body of different size along each axis, 10 x 20 x 30, around the origin but not about it.
 const Vector3 kCorner(-3, -4, -7);
 
-Model block()
+Model blockModel()
 {
   return makeModel(test::moved(test::box(Vector3(10, 20, 30), 4), kCorner), "block");
 }
@@ -49,7 +49,7 @@ std::vector<Vector3> placesOnBlock()
           fromCorner(8, 0, 23)};
 }
 
-ConstraintList near(const std::vector<Vector3>& places)
+ConstraintList pointsNear(const std::vector<Vector3>& places)
 {
   std::vector<Constraint> points;
   for (const Vector3& place : places) points.push_back(test::moveBy(AtNear{place}, {0, 0, 0.5}));
@@ -64,31 +64,31 @@ TEST(NearPlaces, SayHowFarTheyAreFromTheSurface)
       {"r", true,
        RelativeConstraint{AtNear{fromCorner(5, 5, -0.125)}, AtNear{fromCorner(10.3, 3, 3)}, Vector3(0, 0, 1)}});
   list.constraints.push_back({"off", false, PointConstraint{AtNear{fromCorner(5, 5, 31)}, Move{{0, 0, 1}}}});
-  for (const Report& report : {diagnoseConstraints(block(), list), deform(block(), list).report}) {
+  for (const Report& report : {diagnoseConstraints(blockModel(), list), deform(blockModel(), list).report}) {
     EXPECT_NEAR(report.constraints[0].nearDistance.value(), 0.25, 1e-12);
     EXPECT_FALSE(report.constraints[1].nearDistance) << "it names no place";
     EXPECT_NEAR(report.constraints[2].nearDistance.value(), 0.3, 1e-12) << "the larger of two";
     EXPECT_FALSE(report.constraints[3].nearDistance) << "it is disabled";
-    EXPECT_EQ(findingOf(report, "places_off_surface"), nullptr);
+    EXPECT_EQ(placeFinding(report, "places_off_surface"), nullptr);
   }
 }
 
 TEST(NearPlaces, FartherThanTheLimitAreAFindingWithTheirNames)
 {
   DeformOptions options;
-  const ConstraintList list = near({fromCorner(5, 5, 30.3), fromCorner(5, 5, 30.35), fromCorner(5, 5, 30)});
-  EXPECT_EQ(findingOf(diagnoseConstraints(block(), list, "c", options), "places_off_surface"), nullptr)
+  const ConstraintList list = pointsNear({fromCorner(5, 5, 30.3), fromCorner(5, 5, 30.35), fromCorner(5, 5, 30)});
+  EXPECT_EQ(placeFinding(diagnoseConstraints(blockModel(), list, "c", options), "places_off_surface"), nullptr)
       << "a hundredth of the diagonal is 0.37";
   const Report beyond = diagnoseConstraints(
-      block(), near({fromCorner(5, 5, 30.3), fromCorner(5, 5, 31), fromCorner(5, 5, 30)}), "c", options);
-  ASSERT_NE(findingOf(beyond, "places_off_surface"), nullptr);
-  EXPECT_THAT(findingOf(beyond, "places_off_surface")->ids, ElementsAre(1));
-  EXPECT_EQ(findingOf(beyond, "places_off_surface")->idsOf, "constraint");
+      blockModel(), pointsNear({fromCorner(5, 5, 30.3), fromCorner(5, 5, 31), fromCorner(5, 5, 30)}), "c", options);
+  ASSERT_NE(placeFinding(beyond, "places_off_surface"), nullptr);
+  EXPECT_THAT(placeFinding(beyond, "places_off_surface")->ids, ElementsAre(1));
+  EXPECT_EQ(placeFinding(beyond, "places_off_surface")->idsOf, "constraint");
   options.nearLimit = 0.001;
-  EXPECT_THAT(findingOf(diagnoseConstraints(block(), list, "c", options), "places_off_surface")->ids,
+  EXPECT_THAT(placeFinding(diagnoseConstraints(blockModel(), list, "c", options), "places_off_surface")->ids,
               ElementsAre(0, 1));
   options.nearLimit = 0.1;
-  EXPECT_EQ(findingOf(diagnoseConstraints(block(), list, "c", options), "places_off_surface"), nullptr);
+  EXPECT_EQ(placeFinding(diagnoseConstraints(blockModel(), list, "c", options), "places_off_surface"), nullptr);
 }
 
 /// What the finding says that `change` of places on the surface may have been.
@@ -97,8 +97,8 @@ std::string guessAfter(const Change& change)
 {
   std::vector<Vector3> places = placesOnBlock();
   for (Vector3& place : places) place = change(place);
-  const Report report = deform(block(), near(places)).report;
-  const Finding* const finding = findingOf(report, "places_off_surface");
+  const Report report = deform(blockModel(), pointsNear(places)).report;
+  const Finding* const finding = placeFinding(report, "places_off_surface");
   return finding == nullptr ? "none" : finding->message;
 }
 
@@ -127,8 +127,8 @@ TEST(NearPlaces, AllInOneSpotBecauseOfTheirUnitAreAFinding)
   const Model cornered = makeModel(test::box(Vector3(10, 20, 30), 4), "block with a corner at the origin");
   std::vector<Vector3> places{{1, 2, 30}, {10, 13, 4}, {3, 20, 21}, {0, 7, 11}, {8, 0, 23}};
   const auto spot = [&] {
-    const Report report = deform(cornered, near(places)).report;
-    const Finding* const finding = findingOf(report, "places_in_one_spot");
+    const Report report = deform(cornered, pointsNear(places)).report;
+    const Finding* const finding = placeFinding(report, "places_in_one_spot");
     return finding == nullptr ? "none" : finding->message;
   };
   EXPECT_EQ(spot(), "none");
@@ -142,8 +142,8 @@ TEST(NearPlaces, InTheMiddleOfAThinSheetAreAFinding)
 {
   const Model sheet = makeModel(test::box(Vector3(100, 80, 1), 6), "sheet");
   const auto between = [&](const std::vector<Vector3>& places) {
-    const Report report = deform(sheet, near(places)).report;
-    const Finding* const finding = findingOf(report, "places_between_sides");
+    const Report report = deform(sheet, pointsNear(places)).report;
+    const Finding* const finding = placeFinding(report, "places_between_sides");
     return finding == nullptr ? std::vector<Index>() : finding->ids;
   };
   EXPECT_THAT(between({{40, 40, 0.5}, {20, 20, 1}, {30, 30, 0.45}, {60, 60, 0.6}}), ElementsAre(0, 2, 3));
@@ -153,15 +153,15 @@ TEST(NearPlaces, InTheMiddleOfAThinSheetAreAFinding)
   const Model gap = makeModel(
       test::merged(test::box(Vector3(50, 50, 20), 3), test::moved(test::box(Vector3(50, 50, 20), 3), {0, 0, 20.5})),
       "slot");
-  const Report slot = deform(gap, near({{25, 25, 20.25}})).report;
-  EXPECT_NE(findingOf(slot, "places_between_sides"), nullptr) << "a slot has two sides as well";
+  const Report slot = deform(gap, pointsNear({{25, 25, 20.25}})).report;
+  EXPECT_NE(placeFinding(slot, "places_between_sides"), nullptr) << "a slot has two sides as well";
 }
 
 TEST(NearPlaces, AreLookedAtAgainWhereTheyChange)
 {
-  Deformer deformer(block());
+  Deformer deformer(blockModel());
   const auto isFar = [&](const Vector3& place) {
-    return findingOf(deformer.deform(near({place})).report, "places_off_surface") != nullptr;
+    return placeFinding(deformer.deform(pointsNear({place})).report, "places_off_surface") != nullptr;
   };
   EXPECT_FALSE(isFar(fromCorner(5, 5, 30)));
   EXPECT_TRUE(isFar(fromCorner(5, 5, 40)));
