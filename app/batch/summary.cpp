@@ -112,8 +112,8 @@ std::string solveLines(const SolveReport& solve, const std::string& units)
                        counted(solve.factorNonzeros, "non-zero"), counted(solve.refinementSteps, "correction"));
   if (solve.iterations)
     lines +=
-        fmt::format("rotations    {} in {}, which moved a vertex by {:.2g} of the diagonal at last\n",
-                    name(solve.rotations), counted(solve.iterations->count, "iteration"), solve.iterations->change);
+        fmt::format("rotations    {} in {}, which moved a vertex by {:.2g} of the {} at last\n", name(solve.rotations),
+                    counted(solve.iterations->count, "iteration"), solve.iterations->change, sizeName(solve.rotations));
   lines += fmt::format("seconds      set-up {:.3f}, decomposition {:.3f}, solution {:.3f}\n", solve.seconds.setup,
                        solve.seconds.factorization, solve.seconds.solution);
   return lines;
@@ -144,6 +144,7 @@ std::string repairText(const ConstraintOutcome& outcome, const ConflictSet& conf
     const Vector3& place = *conflictSet.consistentTarget;  // with every digit, to copy
     text += fmt::format(", or give {} the {} ({}, {}, {})", it, what, place.x(), place.y(), place.z());
   }
+  if (conflictSet.isMetByFoundRotations) text += ", or let rotations be found (--rotations found), which meets it";
   return text;
 }
 

@@ -133,6 +133,8 @@ void checkConflictSet(Complaints& complaints, const Json& conflictSet)
   complaints.check(conflictSet.value("repair", Json::object()), path + ".repair", {{"disable", isText}});
   if (conflictSet.value("repair", Json::object()).contains("consistent_target"))
     complaints.check(conflictSet["repair"], path + ".repair", {{"consistent_target", isVector}});
+  if (conflictSet.value("repair", Json::object()).contains("found_rotations"))
+    complaints.check(conflictSet["repair"], path + ".repair", {{"found_rotations", isBoolean}});
 }
 
 void checkConstraint(Complaints& complaints, const Json& constraint, SolveState state)

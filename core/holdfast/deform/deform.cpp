@@ -5,6 +5,7 @@
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/place_findings.h>
 #include <holdfast/deform/rotation_factorization.h>
+#include <holdfast/rotation/decided_rotations.h>
 #include <holdfast/surface/surface_locator.h>
 #include <holdfast/verdict/result_check.h>
 
@@ -37,6 +38,25 @@ DeformResult deform(const Model& model, const ConstraintList& constraints, const
   return result;
 }
 
+namespace {
+
+/// The diagnosis of `system`, whose rows it rotates by `q`: given rotations, or those from which others are found.
+Diagnosis rotatedDiagnosis(const EliminatedConstraints& eliminated, ConstraintSystem& system, const SolverMesh& mesh,
+                           RotationSource source, Columns3 q)
+{
+  DecidedRotations decided(eliminated, system, mesh);
+  if (source != RotationSource::Given) decided.settle(system, q);
+  system = decided.withTurnedVectors(rotated(std::move(system), q));
+  Diagnosis diagnosis = diagnose(eliminated, system, mesh);
+  if (source == RotationSource::Given)
+    diagnosis.metIfFound = closedWhereFound(eliminated, system, mesh, diagnosis, std::move(q));
+  else
+    diagnosis.reasons = decided.reasons();
+  return diagnosis;
+}
+
+}  // namespace
+
 Report diagnoseConstraints(const Model& model, const ConstraintList& constraints, const std::string& source,
                            const DeformOptions& options)
 {
@@ -44,24 +64,27 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   report.mesh = describeMesh(model);
   report.solve.weights = options.weights;
   report.solve.options = options.solver;
+  report.solve.rotations = options.rotations.source;
   ConstraintSystem system = makeConstraintSystem(constraints, model.mesh, model.solverMesh, model.locator(), source);
   PlaceFindings placeFindings;
   placeFindings.update(system.nearPlaces, model.locator(), options.nearLimit * model.solverMesh.diagonal);
+  if (options.rotations.source != RotationSource::Given) system = withStatedRotations(std::move(system));
   const EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
   std::shared_ptr<const Operators> operators;
   if (asksForRotation(system))
     operators = std::make_shared<const Operators>(makeOperators(model.solverMesh, options.weights));
-  const Rotations rotations =
+  Rotations rotations =
       RotationFactorization(model.solverMesh, std::move(operators), options.solver.backend).solve(system, noProgress());
   takeOver(rotations, report);
+  DeformDetails details;
   if (rotations.failure.empty()) {
-    system = rotated(std::move(system), rotations.q);
+    details.diagnosis =
+        rotatedDiagnosis(eliminated, system, model.solverMesh, options.rotations.source, std::move(rotations.q));
   } else {
     report.solve.status = SolveStatus::Failed;
     report.solve.message = failureMessage(options, rotations.failure);
+    details.diagnosis = diagnose(eliminated, system, model.solverMesh);
   }
-  DeformDetails details;
-  details.diagnosis = diagnose(eliminated, system, model.solverMesh);
   details.system = std::move(system);
   details.labels = labelsOf(constraints, nullptr);
   details.sensitivities = std::make_shared<const std::vector<double>>(eliminated.elimination.sensitivities());

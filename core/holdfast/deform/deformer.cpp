@@ -22,7 +22,9 @@
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/place_findings.h>
 #include <holdfast/deform/rotation_factorization.h>
+#include <holdfast/operators/model_size.h>
 #include <holdfast/ordering/elimination_order.h>
+#include <holdfast/rotation/decided_rotations.h>
 #include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/moved_solutions.h>
 #include <holdfast/surface/surface_locator.h>
@@ -50,6 +52,16 @@ bool hasManyPoints(const std::vector<ConstraintRow>& rows)
   return std::ranges::count_if(rows, [](const ConstraintRow& row) { return row.terms.size() > 1; }) > kManyPoints;
 }
 
+/// The solver's options for rows of A that were made for lengths in diagonals, as those of given rotations are.
+SolverOptions inDiagonals(const DeformOptions& options, const SolverMesh& mesh)
+{
+  SolverOptions result = options.solver;
+  const bool isScaled = result.kind == SolverKind::Soft && result.softWeight > 0;  // others are refused as they are
+  if (isScaled && options.rotations.source == RotationSource::Given)
+    result.softWeight /= rowsInDiameters(options.weights, diameterInDiagonals(mesh));
+  return result;
+}
+
 }  // namespace
 
 /// All that the structure of a set of constraints costs, for any targets: the second of the three calls of section 6.
@@ -67,9 +79,10 @@ struct ConstraintFactorization {
             std::async(std::launch::deferred, [A, eliminated = eliminated] { return ActedOn(*A, eliminated->rows); })),
         rotations(std::make_shared<RotationFactorization>(model->solverMesh, std::move(operators),
                                                           options.solver.backend, ranks)),
-        positions([model = std::move(model), A, eliminated = eliminated, ranks, options = options.solver]() mutable {
+        positions([model = std::move(model), A, eliminated = eliminated, ranks, options = options]() mutable {
           const Columns3& rest = model->solverMesh.rest;
-          return makeSolver({A, eliminated, rest.rowwise() - rest.colwise().mean(), std::move(ranks)}, options);
+          return makeSolver({A, eliminated, rest.rowwise() - rest.colwise().mean(), std::move(ranks)},
+                            inDiagonals(options, model->solverMesh));
         })
   {
   }
@@ -283,6 +296,9 @@ class Solution {
   {
     details_->diagnosis =
         diagnose(*factorization.eliminated, details_->system, model_.solverMesh, factorization.knownGaps);
+    if (search_.energy == nullptr && result_.rotations.rows() > 0)
+      details_->diagnosis.metIfFound = closedWhereFound(*factorization.eliminated, details_->system, model_.solverMesh,
+                                                        details_->diagnosis, result_.rotations);
   }
 
   /// They are made of the details as these are when somebody first looks.
@@ -384,6 +400,9 @@ class Solution {
     result_.rotations = std::move(shape.q);
     details_->system = std::move(shape.system);
     diagnoseRows(factorization);
+    details_->diagnosis.reasons = std::move(shape.reasons);
+    std::vector<Finding>& findings = result_.report.mesh.findings;
+    findings.insert(findings.end(), shape.findings.begin(), shape.findings.end());
     return {std::make_shared<const Displacement>(std::move(shape.displacement)),
             std::make_shared<const Columns3>(std::move(shape.wanted))};
   }

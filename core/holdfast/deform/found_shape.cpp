@@ -1,5 +1,6 @@
 #include "holdfast/deform/found_shape.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <deque>
@@ -8,8 +9,10 @@
 #include <Eigen/QR>
 #include <fmt/format.h>
 
+#include <holdfast/deform/found_findings.h>
 #include <holdfast/geometry/rotation_fit.h>
 #include <holdfast/geometry/rotation_log.h>
+#include <holdfast/rotation/decided_rotations.h>
 
 namespace holdfast {
 namespace {
@@ -74,6 +77,40 @@ Columns3 startRotations(const ConstraintSystem& system, const SolverMesh& mesh, 
   return std::move(q);
 }
 
+/// The first point that a constraint places within each region: none where there is none.
+std::vector<RegionHold> placedPoints(const ConstraintSystem& system, const TurningBodies& bodies, const Positions& rest)
+{
+  std::vector<RegionHold> holds(bodies.bodies.size());
+  for (const ConstraintRow& row : system.rows) {
+    if (row.kind != RowKind::Position) continue;
+    const Index body = bodies.bodyOfUnknown[row.terms.front().index];
+    const auto isOutside = [&](const Term& term) { return bodies.bodyOfUnknown[term.index] != body; };
+    if (body < 0 || holds[body].kind != RegionHold::Kind::None || std::ranges::any_of(row.terms, isOutside)) continue;
+    holds[body] = {RegionHold::Kind::AtPlace, Vector3::Zero(), row.target, Vector3::Zero()};
+    for (const Term& term : row.terms) holds[body].rest += term.coefficient * rest.row(term.index).transpose();
+  }
+  return holds;
+}
+
+/// What constraints leave each free region to turn by.
+std::vector<RegionHold> holdsOf(const std::vector<std::vector<Index>>& regions, const DecidedRotations& decided,
+                                const ConstraintSystem& system, const Positions& rest)
+{
+  const TurningBodies& bodies = decided.bodies();
+  const std::vector<RegionHold> placed = placedPoints(system, bodies, rest);
+  std::vector<RegionHold> holds;
+  for (const std::vector<Index>& region : regions) {
+    const Index body = bodies.bodyOfUnknown[region.front()];
+    const TurningFreedom freedom = decided.freedomOf(body);
+    RegionHold& hold = holds.emplace_back(placed[body]);
+    if (freedom == TurningFreedom::None) hold.kind = RegionHold::Kind::Whole;
+    if (freedom != TurningFreedom::AboutAxis || hold.kind == RegionHold::Kind::None) continue;
+    hold.kind = RegionHold::Kind::AboutAxis;
+    hold.axis = decided.axisOf(body);
+  }
+  return holds;
+}
+
 /// Anderson's acceleration (1965) of an iteration u <- g(u): goes on from the combination of the last few results for
 /// which the same combination of changes g(u) - u is shortest.
 class Acceleration {
@@ -134,17 +171,21 @@ void announce(const RotationIterations& iterations, Progress& progress)
 FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, RotationStart start,
                      const RotationOptions& options, Progress& progress)
 {
-  const FreeRotations free(system, problem.mesh.unknownCount());
+  FreeRotations free(system, problem.mesh.unknownCount());
   const bool turnsRows = !system.rotated.empty();
+  const bool isNew = start.before.rows() == 0;
   FoundShape shape;
   shape.q = startRotations(system, problem.mesh, free, std::move(start));
+  DecidedRotations decided(problem.eliminated, system, problem.mesh);
+  decided.settle(system, shape.q);
+  if (turnsRows) free.holds = holdsOf(free.regions, decided, system, problem.mesh.rest);
   shape.system = std::move(system);
   UnknownRotations R(static_cast<std::size_t>(shape.q.rows()));
   parallelBlocks(shape.q.rows(), [&](Index i) { R[i] = rotationExp(Vector3(shape.q.row(i))); });
 
   RowTargets targets;
   const auto solved = [&] {
-    if (turnsRows) shape.system = rotated(std::move(shape.system), shape.q);
+    if (turnsRows) shape.system = decided.withTurnedVectors(rotated(std::move(shape.system), shape.q));
     if (turnsRows || targets.shifts.rows() == 0) {
       Diagnosis diagnosis = diagnose(problem.eliminated, shape.system, problem.mesh);
       targets = {shiftsOf(shape.system), std::move(diagnosis.reconciled), std::move(diagnosis.particular)};
@@ -161,7 +202,12 @@ FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, Rotat
   auto& [count, change, isConverged] = shape.iterations;
   const auto iterate = [&] {
     R = problem.energy.fitted(from, free, std::move(R));
-    if (turnsRows) shape.q = logsNear(R, free, std::move(shape.q));
+    if (turnsRows) {
+      shape.q = logsNear(R, free, std::move(shape.q));
+      decided.settle(shape.system, shape.q);
+      for (const TurningBody* body : decided.turnedBodies())
+        for (const Index unknown : body->unknowns) R[unknown] = rotationExp(Vector3(shape.q.row(unknown)));
+    }
     return solved();
   };
   while (!isConverged && count < options.mostIterations && shape.displacement.u.allFinite()) {
@@ -177,13 +223,25 @@ FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, Rotat
     shape.displacement = std::move(next);
     energy = itsEnergy;
     const Columns3& u = shape.displacement.u;
-    change = largestChange(u, from) / problem.mesh.diagonal;
+    change = largestChange(u, from) / problem.energy.size();
     from = acceleration.next(from, u);
     isCombined = acceleration.isCombined();
     ++count;
     isConverged = change <= options.change;
   }
   shape.q = logsNear(R, free, std::move(shape.q));
+  shape.reasons = decided.reasons();
+  if (isNew && isConverged) {
+    const auto add = [&](const std::optional<Finding>& finding) {
+      if (finding) shape.findings.push_back(*finding);
+    };
+    add(lostTurns(shape.system, problem.mesh, shape.q));
+    add(overruledRotations(shape.system, shape.q));
+    const auto next = [&](const Columns3& u) {
+      return problem.solver.solve(targets, problem.energy.wanted(problem.energy.fitted(u, free, R))).u;
+    };
+    if (change > 0) add(flatSaddle({problem.energy, problem.mesh, shape.displacement.u, options.change, next}));
+  }
   return shape;
 }
 

@@ -1,7 +1,11 @@
 #pragma once
 /// The shape whose rotations are found with it: local-global iteration under exact constraints.
 
+#include <map>
+#include <vector>
+
 #include <holdfast/base/progress.h>
+#include <holdfast/check/finding.h>
 #include <holdfast/deform/report.h>
 #include <holdfast/elimination/diagnosis.h>
 #include <holdfast/rotation/rotation_energy.h>
@@ -23,16 +27,19 @@ struct FoundShape {
   Columns3 q;                 ///< n x 3, logs, the nearest to those of the start
   ConstraintSystem system;    ///< rotated by q
   RotationIterations iterations;
+  std::map<Index, std::vector<Index>> reasons;  ///< see `Diagnosis::reasons`
+  std::vector<Finding> findings;  ///< what is doubtful about them; none where they go on from a call before
 };
 
 /// What an iteration starts from, n x 3 each, logs.
 struct RotationStart {
-  Columns3 field;   ///< the rotation field of those that are given, which stay as they are in it
+  Columns3 field;   ///< the rotation field of those that are given, which stay unless points of a rigid region differ
   Columns3 before;  ///< the free ones as they were found before; no rows: not yet
 };
 
-/// Finds rotations. Each iteration fits them to the shape, then solves for the shape. No solution has a larger energy
-/// than the one before unless rows rotate that hold a rigid region by other constraints as well, or keep a vector. It
+/// Finds rotations. Each iteration fits them to the shape, then solves for the shape. Rigid regions with several points
+/// in them, and kept vectors between held points, turn as these decide. No solution has a larger energy than the one
+/// before unless regions or vectors that turn hang together, or a vector is kept. It
 /// ends when `options` say so, or where the shape is not finite. `progress` may throw between iterations. O(factor) an
 /// iteration.
 [[nodiscard]] FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, RotationStart start,

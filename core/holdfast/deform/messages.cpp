@@ -162,10 +162,10 @@ Finding unconvergedWarning(const RotationIterations& iterations, const RotationO
           1,
           "solution",
           {},
-          fmt::format("rotations still change after {} iterations: the last one moved a vertex by {:.2g} of the "
-                      "diagonal, and {:g} is asked for; constraints hold all the same; ask for a larger "
+          fmt::format("rotations still change after {} iterations: the last one moved a vertex by {:.2g} of the {}, "
+                      "and {:g} is asked for; constraints hold all the same; ask for a larger "
                       "\"rotation_change\", or for less far a move",
-                      iterations.count, iterations.change, options.change)};
+                      iterations.count, iterations.change, sizeName(options.source), options.change)};
 }
 
 std::string undefinedRowsMessage(const Model& model, const Operators& operators)

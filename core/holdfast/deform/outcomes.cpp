@@ -17,7 +17,8 @@ struct DependencyGroup {
   Index worstRow = 0;
   Vector3 gap = Vector3::Zero();
   bool isConflict = false;
-  bool needsOwn = false;  // depends on others of its own rows as well
+  bool needsOwn = false;              // depends on others of its own rows as well
+  bool isMetByFoundRotations = true;  // all of its conflicting rows are
 };
 
 using DependencyGroups = std::map<ConstraintSet, DependencyGroup>;
@@ -29,7 +30,10 @@ std::map<Index, DependencyGroups> dependencyGroupsOf(const ConstraintSystem& sys
   for (const auto& [dependency, gap] : diagnosis.dependent) {
     const Index own = system.rows[dependency.row].constraint;
     ConstraintSet others;
-    for (const Term& term : dependency.terms) others.push_back(system.rows[term.index].constraint);
+    if (const auto reasons = diagnosis.reasons.find(dependency.row); reasons != diagnosis.reasons.end())
+      for (const Index row : reasons->second) others.push_back(system.rows[row].constraint);
+    else
+      for (const Term& term : dependency.terms) others.push_back(system.rows[term.index].constraint);
     others = sortedOnce(std::move(others));
     const bool needsOwn = std::erase(others, own) > 0;
     DependencyGroup& group = result[own][others];
@@ -38,7 +42,9 @@ std::map<Index, DependencyGroups> dependencyGroupsOf(const ConstraintSystem& sys
       group.gap = gap;
       group.worstRow = dependency.row;
     }
-    group.isConflict = group.isConflict || diagnosis.status[dependency.row] == RowStatus::Conflicting;
+    if (diagnosis.status[dependency.row] != RowStatus::Conflicting) continue;
+    group.isConflict = true;
+    if (!std::ranges::binary_search(diagnosis.metIfFound, dependency.row)) group.isMetByFoundRotations = false;
   }
   return result;
 }
@@ -115,6 +121,7 @@ void setConflictSets(std::vector<ConstraintOutcome>& outcomes, const ConstraintL
       set.gap = group.gap;
       set.isConflict = group.isConflict;
       if (!group.isConflict) continue;
+      set.isMetByFoundRotations = group.isMetByFoundRotations;
       set.disable = labels[cheapest(own, others, conflicts, outcomes)].name;
       if (labels[own].hasTarget) set.consistentTarget = system.rows[group.worstRow].target - group.gap;
     }

@@ -55,6 +55,7 @@ struct ConflictSet {
   /// later one of equals; and, for a point or an offset, the target that agrees with all of `with`.
   std::string disable;
   std::optional<Vector3> consistentTarget;
+  bool isMetByFoundRotations = false;  ///< a conflict of given rotations alone: "found" ones meet it
   Index withCount = 0;  ///< how many constraints there are in `with`, listed or not
 };
 
@@ -116,7 +117,7 @@ struct Seconds {
 /// How rotations were found.
 struct RotationIterations {
   int count = 0;
-  double change = 0;  ///< how far the last one moved a vertex at most, as a share of the diagonal
+  double change = 0;  ///< how far the last one moved a vertex at most, as a share of `RotationEnergy::size`
   bool isConverged = false;
 };
 

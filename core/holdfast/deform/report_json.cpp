@@ -52,6 +52,7 @@ Json toJson(const ConflictSet& conflictSet)
             {"rows", conflictSet.rows}, {"conflict", conflictSet.isConflict},
             {"gap", conflictSet.gap},   {"length", conflictSet.gap.stableNorm()}};
   if (conflictSet.isConflict) json["repair"] = {{"disable", conflictSet.disable}};
+  if (conflictSet.isMetByFoundRotations) json["repair"]["found_rotations"] = true;
   if (conflictSet.consistentTarget) json["repair"]["consistent_target"] = *conflictSet.consistentTarget;
   return json;
 }

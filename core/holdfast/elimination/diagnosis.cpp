@@ -203,6 +203,21 @@ Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSyst
   return diagnosis;
 }
 
+std::vector<double> agreeingGaps(const EliminatedConstraints& eliminated, const ConstraintSystem& system,
+                                 const SolverMesh& mesh)
+{
+  std::vector<double> limits(system.rows.size(), kPromisedResidual * mesh.diagonal);
+  if (!isNearOrigin(mesh, system)) {
+    std::vector<DependentRow> dependent;
+    for (const Dependency& dependency : eliminated.dependencies) dependent.push_back({dependency, Vector3::Zero()});
+    limits = residualLimits(mesh, system, dependent, {});
+  }
+  std::vector<double> result;
+  for (const Dependency& dependency : eliminated.dependencies)
+    result.push_back(kConsistentShare * limits[dependency.row] * gapPerChange(eliminated, dependency));
+  return result;
+}
+
 Columns3 shiftsOf(const ConstraintSystem& system)
 {
   Columns3 shifts(static_cast<Index>(system.rows.size()), 3);

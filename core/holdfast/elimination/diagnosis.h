@@ -1,6 +1,7 @@
 #pragma once
 /// Which rows hold, which repeat others and which contradict them, and by how much.
 
+#include <map>
 #include <vector>
 
 #include <holdfast/constraints/constraint_system.h>
@@ -30,6 +31,10 @@ struct Diagnosis {
   /// The redundant rows that the independent ones alone miss by more than rounding, when they would miss some of them
   /// by more than their limits: see `reconciledParticular`.
   std::vector<Index> reconciled;
+  /// Of conflicting rows whose gap depends on rotations, where these were found: by row, those that it contradicts.
+  std::map<Index, std::vector<Index>> reasons;
+  /// The conflicting rows that would be met where rotations are found, ascending; none where they were.
+  std::vector<Index> metIfFound;
   Columns3 particular;  ///< `Elimination::particular` of the shifts, where gaps were read off it; else no rows
 
   [[nodiscard]] bool hasConflicts() const;
@@ -84,6 +89,10 @@ struct KnownGaps {
   KnownGaps none;
   return diagnose(eliminated, system, mesh, none);
 }
+
+/// The largest gap of each dependent row that is rounding, model units, in the order of `eliminated.dependencies`.
+[[nodiscard]] std::vector<double> agreeingGaps(const EliminatedConstraints& eliminated, const ConstraintSystem& system,
+                                               const SolverMesh& mesh);
 
 /// d - B p for every row, as the solver takes them: rows x 3.
 [[nodiscard]] Columns3 shiftsOf(const ConstraintSystem& system);

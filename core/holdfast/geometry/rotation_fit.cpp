@@ -1,6 +1,7 @@
 #include "holdfast/geometry/rotation_fit.h"
 
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 #include <Eigen/SVD>
@@ -86,6 +87,15 @@ Eigen::Quaterniond fittedRotation(const Eigen::Matrix3d& H, const Eigen::Quatern
   if (!(size > 0)) return near;
   const Eigen::Matrix3d fromNear = near.toRotationMatrix().transpose() * (H / size);
   return (near * Eigen::Quaterniond(rotationOfCovariance(fromNear.transpose()).R)).normalized();
+}
+
+Eigen::Quaterniond fittedRotationAbout(const Vector3& axis, const Eigen::Matrix3d& H, const Eigen::Quaterniond& near)
+{
+  // With T a turn by theta, trace((T R)^T H) = cos theta (trace M - a . M a) + sin theta (a . w) + a . M a.
+  const Eigen::Matrix3d M = H * near.toRotationMatrix().transpose();
+  const Vector3 w(M(2, 1) - M(1, 2), M(0, 2) - M(2, 0), M(1, 0) - M(0, 1));
+  const double angle = std::atan2(axis.dot(w), M.trace() - axis.dot(M * axis));
+  return angle == 0 ? near : (Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis)) * near).normalized();
 }
 
 DirectionTurn shortestRotation(const Vector3& from, const Vector3& to)

@@ -26,6 +26,10 @@ inline constexpr double kRankOfFit = 1e-12;
 /// nothing. Exact to a few units in the last place; `near` as it is, bit for bit, where it fits without rounding.
 [[nodiscard]] Eigen::Quaterniond fittedRotation(const Eigen::Matrix3d& H, const Eigen::Quaterniond& near);
 
+/// The same among the rotations that follow from `near` by a turn about `axis`, of length 1 and in space.
+[[nodiscard]] Eigen::Quaterniond fittedRotationAbout(const Vector3& axis, const Eigen::Matrix3d& H,
+                                                     const Eigen::Quaterniond& near);
+
 struct DirectionTurn {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< of length 1
   bool isDetermined = false;                                     ///< false where the directions are opposite

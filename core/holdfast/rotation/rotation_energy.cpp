@@ -3,22 +3,25 @@
 #include <cmath>
 
 #include <holdfast/base/disjoint_sets.h>
+#include <holdfast/geometry/enclosing_sphere.h>
 #include <holdfast/geometry/rotation_fit.h>
 #include <holdfast/mesh/index_lists.h>
+#include <holdfast/operators/model_size.h>
 #include <holdfast/rotation/edge_weights.h>
 
 namespace holdfast {
 namespace {
 
-/// What makes rows of the Laplacian count as much as edges at `kBendingLength`, in diagonals as they are. Uniform rows
-/// are not integrated: on regular triangles of edges h their squares are h^2 / 12 of those of cotangents, beside those
-/// of their edges.
-double bendingWeight(const SolverMesh& mesh, const std::vector<EdgeWeight>& edges, Weights weights)
+/// What makes rows of the Laplacian count as much as edges at `kBendingLength`, the mesh having this diameter. Uniform
+/// rows are not integrated: on regular triangles of edges h their squares are h^2 / 12 of those of cotangents, beside
+/// those of their edges.
+double bendingWeight(const SolverMesh& mesh, const std::vector<EdgeWeight>& edges, Weights weights, double diameter)
 {
-  if (weights != Weights::Uniform || edges.empty()) return kBendingLength;
+  if (weights != Weights::Uniform || edges.empty())
+    return kBendingLength * rowsInDiameters(weights, diameter / mesh.diagonal);
   double squares = 0;
   for (const EdgeWeight& edge : edges) squares += (mesh.rest.row(edge.i) - mesh.rest.row(edge.j)).squaredNorm();
-  const double length = std::sqrt(squares / static_cast<double>(edges.size())) / mesh.diagonal;
+  const double length = std::sqrt(squares / static_cast<double>(edges.size())) / diameter;
   return kBendingLength * std::sqrt(12.0) / length;
 }
 
@@ -29,6 +32,17 @@ struct RegionTerm {
   Vector3 s = Vector3::Zero();
   Vector3 b = Vector3::Zero();
 };
+
+/// The best Q with t = place - Q rest, both from `center`.
+Eigen::Quaterniond fittedAbout(const RegionHold& hold, const Vector3& center, const std::vector<RegionTerm>& terms,
+                               const Eigen::Quaterniond& near)
+{
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const auto& [share, alpha, s, b] : terms)
+    covariance += share * (b - alpha * (hold.place - center)) * (s - alpha * (hold.rest - center)).transpose();
+  return hold.kind == RegionHold::Kind::AboutAxis ? fittedRotationAbout(hold.axis, covariance, near)
+                                                  : fittedRotation(covariance, near);
+}
 
 /// The best Q for any t.
 Eigen::Quaterniond fittedTerms(const std::vector<RegionTerm>& terms, const Eigen::Quaterniond& near)
@@ -57,6 +71,11 @@ std::string_view name(RotationSource source)
   return kNames[static_cast<std::size_t>(source)];
 }
 
+std::string_view sizeName(RotationSource source)
+{
+  return source == RotationSource::FoundSmooth ? "diameter" : "diagonal";
+}
+
 FreeRotations::FreeRotations(const ConstraintSystem& system, Index unknownCount)
     : kindOf(static_cast<std::size_t>(unknownCount), Kind::Own)
 {
@@ -80,7 +99,7 @@ FreeRotations::FreeRotations(const ConstraintSystem& system, Index unknownCount)
 }
 
 RotationEnergy::RotationEnergy(const SolverMesh& mesh, const Operators& operators, RotationSource source)
-    : rest_(mesh.rest)
+    : rest_(mesh.rest), size_(source == RotationSource::FoundSmooth ? enclosingDiameter(mesh.rest) : mesh.diagonal)
 {
   // Negative weights would leave no minimum, so cotangents are guarded whatever the Laplacian has.
   const bool areGuarded = operators.weights != Weights::CotangentPaper;
@@ -95,7 +114,7 @@ RotationEnergy::RotationEnergy(const SolverMesh& mesh, const Operators& operator
   }
   if (source == RotationSource::FoundSmooth) {
     const auto first = static_cast<int>(unknownsOf_.size());
-    const SparseMatrix rows = bendingWeight(mesh, edges, operators.weights) * weightedRows(operators).matrix();
+    const SparseMatrix rows = bendingWeight(mesh, edges, operators.weights, size_) * weightedRows(operators).matrix();
     for (int j = 0; j < rows.outerSize(); ++j)
       for (SparseMatrix::InnerIterator entry(rows, j); entry; ++entry)
         entries.emplace_back(first + static_cast<int>(entry.row()), j, entry.value());
@@ -132,8 +151,11 @@ UnknownRotations RotationEnergy::fitted(const Columns3& u, const FreeRotations& 
     });
     R[i] = fittedRotation(covariance, R[i]);
   });
-  for (const std::vector<Index>& region : free.regions) {
-    const Eigen::Quaterniond common = fittedRegion(region, u, deformed, R);
+  for (std::size_t k = 0; k < free.regions.size(); ++k) {
+    const std::vector<Index>& region = free.regions[k];
+    const RegionHold hold = free.holds.empty() ? RegionHold() : free.holds[k];
+    if (hold.kind == RegionHold::Kind::Whole) continue;
+    const Eigen::Quaterniond common = fittedRegion(region, hold, u, deformed, R);
     for (const Index unknown : region) R[unknown] = common;
   }
   return R;
@@ -152,8 +174,9 @@ double RotationEnergy::value(const Columns3& u, const UnknownRotations& R) const
   return squares.sum();
 }
 
-Eigen::Quaterniond RotationEnergy::fittedRegion(const std::vector<Index>& region, const Columns3& u,
-                                                const Columns3& deformed, const UnknownRotations& R) const
+Eigen::Quaterniond RotationEnergy::fittedRegion(const std::vector<Index>& region, const RegionHold& hold,
+                                                const Columns3& u, const Columns3& deformed,
+                                                const UnknownRotations& R) const
 {
   std::vector<Index> rows;
   for (const Index i : region) A_->forEachInColumn(i, [&](Index row, double /*value*/) { rows.push_back(row); });
@@ -180,7 +203,8 @@ Eigen::Quaterniond RotationEnergy::fittedRegion(const std::vector<Index>& region
                        turnsToo ? Vector3(-outside) : Vector3(R[unknown] * v - outside)});
     }
   }
-  return fittedTerms(terms, R[region.front()]);
+  return hold.kind == RegionHold::Kind::None ? fittedTerms(terms, R[region.front()])
+                                             : fittedAbout(hold, center, terms, R[region.front()]);
 }
 
 }  // namespace holdfast

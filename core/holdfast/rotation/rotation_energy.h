@@ -14,12 +14,21 @@
 namespace holdfast {
 
 /// The length below which `RotationSource::FoundSmooth` keeps detail rather than lengths of edges, as a share of the
-/// diagonal of the bounding box. From 0.01 on creases are wider than the triangles of ordinary meshes; at 0.1 long
-/// bends stretch edges.
+/// diameter of the smallest sphere around the mesh. From 0.01 on creases are wider than the triangles of ordinary
+/// meshes; at 0.1 long bends stretch edges.
 inline constexpr double kBendingLength = 0.03;
 
 /// A rotation for each unknown, of length 1.
 using UnknownRotations = std::vector<Eigen::Quaterniond>;
+
+/// What constraints leave a rigid region to turn by.
+struct RegionHold {
+  enum class Kind : char { None, AtPlace, AboutAxis, Whole };
+  Kind kind = Kind::None;
+  Vector3 rest = Vector3::Zero();   ///< unless `None`: a point of the region
+  Vector3 place = Vector3::Zero();  ///< where it stays
+  Vector3 axis = Vector3::Zero();   ///< through it, of length 1: with `AboutAxis`
+};
 
 /// Which rotations may change.
 struct FreeRotations {
@@ -31,6 +40,7 @@ struct FreeRotations {
 
   std::vector<Kind> kindOf;                 ///< of each unknown
   std::vector<std::vector<Index>> regions;  ///< unknowns of each that may rotate, ascending
+  std::vector<RegionHold> holds = {};       ///< of each region; none: nothing holds them
 };
 
 /// E(u, R) = sum over the rows k of |(A (p0 + u))_k - R v_k|^2, with v = A p0 and R the rotations of one or two
@@ -47,21 +57,27 @@ class RotationEnergy {
   /// For the rotations `R` the best u has A u nearest to this: the mean of R v_k, less v_k. Rows x 3, model units.
   [[nodiscard]] Columns3 wanted(const UnknownRotations& R) const;
 
-  /// For the displacement `u` the best of the free rotations. Those of regions are the best for any place of the
-  /// region. Those in `R` are the start. O(n), over all cores, with the same bits for any number of them.
+  /// For the displacement `u` the best of the free rotations. Those of regions are the best for any place of the region
+  /// that its hold allows. Those in `R` are the start. O(n), over all cores, with the same bits for any number of them.
   [[nodiscard]] UnknownRotations fitted(const Columns3& u, const FreeRotations& free, UnknownRotations R) const;
+
+  /// The length of which `RotationOptions::change` is a share, model units: the diagonal of the box; with `FoundSmooth`
+  /// the diameter of the smallest sphere.
+  [[nodiscard]] double size() const noexcept { return size_; }
 
   /// E, in squares of model units.
   [[nodiscard]] double value(const Columns3& u, const UnknownRotations& R) const;
 
  private:
-  [[nodiscard]] Eigen::Quaterniond fittedRegion(const std::vector<Index>& region, const Columns3& u,
-                                                const Columns3& deformed, const UnknownRotations& R) const;
+  [[nodiscard]] Eigen::Quaterniond fittedRegion(const std::vector<Index>& region, const RegionHold& hold,
+                                                const Columns3& u, const Columns3& deformed,
+                                                const UnknownRotations& R) const;
 
   Positions rest_;
   std::vector<std::array<int, 2>> unknownsOf_;  // of each row: whose rotations it has; twice the same where it has one
   std::shared_ptr<const EnergyMatrix> A_;
   Columns3 v_;
+  double size_;
 };
 
 }  // namespace holdfast

@@ -31,7 +31,7 @@ enum class SolverKind {
 struct SolverOptions {
   SolverKind kind = SolverKind::Hard;
   Backend backend = Backend::Holdfast;
-  /// w of soft constraints, (7) and (8), for models measured in diagonals of their bounding box
+  /// w of soft constraints, (7) and (8), for models measured in diameters of the smallest sphere around them
   double softWeight = 5;
 
   friend bool operator==(const SolverOptions&, const SolverOptions&) = default;

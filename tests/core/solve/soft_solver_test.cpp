@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <holdfast/operators/model_size.h>
+
 #include "support/dense_operators.h"
 #include "support/dense_svd.h"
 #include "support/long_double.h"
@@ -42,7 +44,10 @@ TEST(SoftSolver, AgreesWithTheNormalEquationsInLongDouble)
 {
   forEachSoftProblem(40, [](const test::Problem& problem, const DeformOptions& options) {
     const test::DenseProblem dense = test::denseProblem(problem.mesh, problem.list, options.weights);
-    for (const double weight : {0.5, 5.0, 50.0}) {
+    for (const double stated : {0.5, 5.0, 50.0}) {
+      // A is for lengths in diagonals, the weight for lengths in diameters.
+      const double weight =
+          stated / rowsInDiameters(options.weights, diameterInDiagonals(test::solverMeshOf(problem.mesh)));
       Eigen::MatrixXd C(dense.A.rows() + dense.B.rows(), dense.A.cols());
       C << dense.A, weight * dense.B;
       Eigen::MatrixXd f = Eigen::MatrixXd::Zero(C.rows(), 3);
@@ -51,7 +56,7 @@ TEST(SoftSolver, AgreesWithTheNormalEquationsInLongDouble)
       // Wedin's bound, a hundred times for sums of about a hundred terms, and the rounding of coordinates.
       const double tolerance =
           100 * test::roundingBound(C, f) * expected.norm() + 1e-15 * problem.mesh.positions.norm();
-      EXPECT_LT((displacement(problem, options, SolverKind::Soft, weight) - expected).norm(), tolerance) << weight;
+      EXPECT_LT((displacement(problem, options, SolverKind::Soft, stated) - expected).norm(), tolerance) << stated;
     }
   });
 }

@@ -48,7 +48,9 @@ QString gapText(const ConstraintOutcome& outcome, const ConflictSet& conflictSet
   if (!units.empty()) text += ' ' + QString::fromStdString(units);
   if (outcome.rows > 1)
     text += QObject::tr(", in %1 of its %2 rows").arg(QString::number(conflictSet.rows), QString::number(outcome.rows));
-  return text + '.';
+  text += '.';
+  if (conflictSet.isMetByFoundRotations) text += ' ' + QObject::tr("Rotations that are found would meet it.");
+  return text;
 }
 
 /// “P4” repeats “P1”; a rigid region alone repeats none.

@@ -69,10 +69,10 @@ QString accuracyText(double accuracy)
       .arg(roundedText(accuracy), roundedText(kDoubtfulAccuracy), roundedText(kUsableAccuracy));
 }
 
-QString iterationsText(const RotationIterations& iterations)
+QString iterationsText(const RotationIterations& iterations, RotationSource source)
 {
-  return QObject::tr("iteration %1 moved a vertex by %2 of the diagonal%3")
-      .arg(countText(iterations.count), roundedText(iterations.change),
+  return QObject::tr("iteration %1 moved a vertex by %2 of the %3%4")
+      .arg(countText(iterations.count), roundedText(iterations.change), toText(sizeName(source)),
            iterations.isConverged ? QString() : QObject::tr("; more would move it further"));
 }
 
@@ -118,7 +118,7 @@ ReportLines reportLines(const Report& report, const ResultVerdict& result, const
   if (solve.rotationAccuracy)
     round("RotationAccuracy", QObject::tr("Rotations"), accuracyText(*solve.rotationAccuracy), *solve.rotationAccuracy);
   if (solve.iterations)
-    round("RotationIterations", QObject::tr("Rotations found"), iterationsText(*solve.iterations),
+    round("RotationIterations", QObject::tr("Rotations found"), iterationsText(*solve.iterations, solve.rotations),
           solve.iterations->change);
   say("Result", QObject::tr("Result"), resultText(result));
   say("Lengths", QObject::tr("Lengths of edges"), rangeText(result.edges));
