@@ -101,10 +101,10 @@ TEST_P(NearlyDependentRows, AreWarnedOfAndRefusedByWhatTheyLose)
     const bool isRefused = report.solve.accuracy > 1e-6;
     EXPECT_EQ(report.solve.status, isRefused ? SolveStatus::Failed : SolveStatus::Ok) << report.solve.message;
     EXPECT_EQ(test::findingOf(report, "low_accuracy") != nullptr, report.solve.accuracy > 1e-9 && !isRefused);
-    double amplification = 0;
+    double largest = 0;
     for (const ConstraintOutcome& outcome : report.constraints)
-      amplification = std::max(amplification, outcome.sensitivity.value_or(0));
-    EXPECT_LT(report.solve.accuracy, 2e-15 * amplification + 1e-12);
+      largest = std::max(largest, outcome.sensitivity.value_or(0));
+    EXPECT_LT(report.solve.accuracy, 2e-15 * largest + 1e-12);
   }
 }
 
