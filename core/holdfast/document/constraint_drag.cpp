@@ -1,5 +1,7 @@
 #include "holdfast/document/constraint_drag.h"
 
+#include <algorithm>
+
 #include <holdfast/document/handle_restated.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/surface/surface_locator.h>
@@ -12,6 +14,12 @@ Vector3 movedPlace(const Vector3& place, const RigidIncrement& increment)
   if (increment.degrees == 0) return place + increment.translation;
   const Eigen::AngleAxisd turn(increment.degrees * kDegree, increment.axis.normalized());
   return turn * (place - increment.pivot) + increment.pivot + increment.translation;
+}
+
+/// The rows of a region have no corners.
+bool isRowOfPoint(const ConstraintRow& row)
+{
+  return row.kind == RowKind::Position && row.corners > 0;
 }
 
 }  // namespace
@@ -80,22 +88,25 @@ HandleConstraint ConstraintDrag::nextFrame(DraggedHandle& dragged, const RigidIn
   return moved;
 }
 
-std::optional<Vector3> averageTarget(const Model& model, const ConstraintList& list, std::span<const Index> constraints)
+std::optional<SharedPlace> sharedPlace(const ConstraintSystem& system, std::span<const Index> constraints)
 {
-  std::optional<SurfacePoint> shared;
-  Vector3 sum = Vector3::Zero();
-  for (const Index c : constraints) {
-    const auto* point = std::get_if<PointConstraint>(&list.constraints[c].what);
-    if (point == nullptr) return std::nullopt;
-    const SurfacePoint at = model.locator().locate(point->at, {});
-    if (shared && *shared != at) return std::nullopt;
-    shared = at;
-    const auto* target = std::get_if<Target>(&point->to);
-    sum += target != nullptr ? target->place
-                             : Vector3(positionOf(at, model.mesh.positions) + std::get<Move>(point->to).shift);
-  }
+  const auto rowOf = [&](Index constraint) {
+    return std::ranges::find_if(
+        system.rows, [&](const ConstraintRow& row) { return isRowOfPoint(row) && row.constraint == constraint; });
+  };
   if (constraints.size() < 2) return std::nullopt;
-  return sum / static_cast<double>(constraints.size());
+  const auto first = rowOf(constraints.front());
+  if (first == system.rows.end()) return std::nullopt;
+  SharedPlace shared;
+  for (const ConstraintRow& row : system.rows) {
+    if (!isRowOfPoint(row) || row.terms != first->terms) continue;
+    shared.constraints.push_back(row.constraint);
+    shared.mean += row.target;
+  }
+  if (!std::ranges::all_of(constraints, [&](Index c) { return std::ranges::binary_search(shared.constraints, c); }))
+    return std::nullopt;
+  shared.mean /= static_cast<double>(shared.constraints.size());
+  return shared;
 }
 
 ConstraintList ConstraintDrag::movedBy(const RigidIncrement& increment)

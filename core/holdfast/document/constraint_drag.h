@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/constraints/handle_drag.h>
 #include <holdfast/deform/model.h>
 #include <holdfast/surface/surface_point.h>
@@ -69,8 +70,15 @@ class ConstraintDrag {
   std::vector<DraggedHandle> handles_;
 };
 
-/// The mean of where points go that are one point of the surface; nothing unless these are such points, two or more.
-[[nodiscard]] std::optional<Vector3> averageTarget(const Model& model, const ConstraintList& list,
-                                                   std::span<const Index> constraints);
+/// Points of one place of the surface.
+struct SharedPlace {
+  std::vector<Index> constraints;  ///< their places in the list, ascending; two or more
+  Vector3 mean = Vector3::Zero();  ///< of where they go: a target on which all of them can agree
+};
+
+/// All points of `system` that are where `constraints` are. Nothing unless those are points of one place, two or more.
+/// O(rows).
+[[nodiscard]] std::optional<SharedPlace> sharedPlace(const ConstraintSystem& system,
+                                                     std::span<const Index> constraints);
 
 }  // namespace holdfast

@@ -198,20 +198,64 @@ TEST(DragOfPoints, RotatesThemAsAGroup)
   EXPECT_FALSE(ConstraintDrag(model, list, {&one, 1}, "list").canRotate()) << "a point alone has nothing to rotate";
 }
 
-TEST(AverageTarget, IsThatOfPointsOfOnePlaceOnly)
-{
+/// Which of four points and a region of a box share a place, and where they go on average.
+class SharedPlaceOfBox : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::optional<SharedPlace> of(const std::vector<Index>& constraints) const
+  {
+    return sharedPlace(makeConstraintSystem(list, model.mesh, model.solverMesh, model.locator(), "list"), constraints);
+  }
+
   const Model model = makeModel(test::quadBox({1, 1, 1}, 1), "box");
   const Vector3 rest = model.mesh.positions.row(0);
+  ConstraintList list{"",
+                      {{"A", true, PointConstraint{AtVertex{0}, Target{Vector3(1, 2, 3)}}},
+                       {"B", true, PointConstraint{AtNear{rest}, Move{Vector3(1, 0, 0)}}},
+                       {"C", true, PointConstraint{AtVertex{1}, Move{}}},
+                       {"D", true, FixedConstraint{{VertexIds{{0}}}}},
+                       {"E", true, PointConstraint{AtVertex{0}, Move{Vector3(0, 0, 6)}}}}};
+};
+
+TEST_F(SharedPlaceOfBox, IsOneOfAllPointsThatAreThere)
+{
+  for (const std::vector<Index>& some : {std::vector<Index>{0, 1}, {4, 0}, {1, 4}, {0, 1, 4}}) {
+    ASSERT_TRUE(of(some));
+    EXPECT_EQ(of(some)->constraints, (std::vector<Index>{0, 1, 4}));
+    EXPECT_EQ(of(some)->mean, Vector3((Vector3(1, 2, 3) + (rest + Vector3(1, 0, 0)) + (rest + Vector3(0, 0, 6))) / 3));
+  }
+}
+
+TEST_F(SharedPlaceOfBox, LeavesOutThoseThatAreDisabled)
+{
+  list.constraints[4].isEnabled = false;
+  EXPECT_EQ(of({0, 1})->constraints, (std::vector<Index>{0, 1}));
+  EXPECT_EQ(of({0, 1})->mean, Vector3((Vector3(1, 2, 3) + rest + Vector3(1, 0, 0)) / 2));
+  EXPECT_FALSE(of({0, 4}));
+}
+
+TEST_F(SharedPlaceOfBox, IsThatOfPointsOfOnePlaceOnly)
+{
+  EXPECT_FALSE(of({0})) << "one agrees with itself";
+  EXPECT_FALSE(of({0, 2})) << "points of two places";
+  EXPECT_FALSE(of({0, 3})) << "a region has no target";
+  EXPECT_FALSE(of({3, 0}));
+}
+
+TEST(SharedPlace, HasTheCopiesOfACorner)
+{
+  // Two triangles on one side, each with corners of its own.
+  Mesh pair{Positions(6, 3), {}};
+  pair.positions << 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
+  pair.faces.add({0, 1, 2});
+  pair.faces.add({3, 4, 5});
+  const Model model = makeModel(pair, "pair");
   const ConstraintList list{"",
-                            {{"A", true, PointConstraint{AtVertex{0}, Target{Vector3(1, 2, 3)}}},
-                             {"B", true, PointConstraint{AtNear{rest}, Move{Vector3(1, 0, 0)}}},
-                             {"C", true, PointConstraint{AtVertex{1}, Move{}}},
-                             {"D", true, FixedConstraint{{VertexIds{{0}}}}}}};
-  const auto mean = [&](std::vector<Index> of) { return averageTarget(model, list, of); };
-  EXPECT_EQ(mean({0, 1}), Vector3((Vector3(1, 2, 3) + rest + Vector3(1, 0, 0)) / 2));
-  EXPECT_FALSE(mean({0}));
-  EXPECT_FALSE(mean({0, 2}));
-  EXPECT_FALSE(mean({0, 3}));
+                            {{"A", true, PointConstraint{AtVertex{1}, Move{Vector3(2, 0, 0)}}},
+                             {"B", true, PointConstraint{AtVertex{3}, Move{Vector3(0, 4, 0)}}}}};
+  const auto system = makeConstraintSystem(list, model.mesh, model.solverMesh, model.locator(), "list");
+  const auto shared = sharedPlace(system, std::vector<Index>{0, 1});
+  ASSERT_TRUE(shared);
+  EXPECT_EQ(shared->mean, Vector3(2, 2, 0));
 }
 
 }  // namespace

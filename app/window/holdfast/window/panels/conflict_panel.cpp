@@ -2,9 +2,11 @@
 #include <string>
 #include <vector>
 
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/report.h>
 #include <holdfast/document/constraint_drag.h>
 #include <holdfast/document/list_edits.h>
+#include <holdfast/mesh/index_lists.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/model/at_rest.h>
@@ -157,6 +159,8 @@ class ConflictPanel final : public RefreshedPanel {
   {
     const std::size_t count = std::min(conflicts.size(), kMostConflicts);
     while (cards_.size() < count) addCard();
+    namesOnButtons_.clear();
+    for (std::size_t k = 0; k < count; ++k) namesOnButtons_.push_back(conflicts[k].conflictSet->disable);
     for (std::size_t k = 0; k < cards_.size(); ++k) {
       cards_[k].card->setVisible(k < count);
       if (k < count) fill(cards_[k], conflicts[k]);
@@ -214,20 +218,18 @@ class ConflictPanel final : public RefreshedPanel {
     // Repairs belong to the list that was solved, and wait while another one is on screen.
     const bool isCurrent = editor_.isCurrent();
     card.card->setEnabled(isCurrent);
-    QString shortName = QString::fromStdString(conflictSet->disable);
-    if (shortName.size() > kLettersOnButtons) shortName = shortName.left(kLettersOnButtons - 1) + "…";
-    card.disable->setText(tr("Disable %1").arg(quoted(shortName.toStdString())));
+    card.disable->setText(tr("Disable %1").arg(quotedEnds(conflictSet->disable, namesOnButtons_, kLettersOnButtons)));
     card.disable->setToolTip(plainTip(
         tr("Disabling %1 ends most conflicts at the price of the fewest rows").arg(quoted(conflictSet->disable))));
     card.prefer->setVisible(!conflictSet->with.empty());
     card.prefer->setToolTip(plainTip(tr("Moves %1 up, before %2, so that it holds and they give way")
                                          .arg(quoted(outcome->name), quotedList(conflictSet->with))));
-    const std::optional<Vector3> mean =
-        isCurrent ? averageTarget(*editor_.model(), editor_.list(), setOf(card)) : std::nullopt;
-    card.average->setVisible(mean.has_value());
-    if (mean) {
-      card.average->setText(tr("Use the average %1").arg(roundedText(*mean)));
-      card.average->setToolTip(tr("Gives all of the set the target %1").arg(exactText(*mean)));
+    const std::optional<SharedPlace> shared = isCurrent ? sharedPlaceOf(card) : std::nullopt;
+    card.average->setVisible(shared.has_value());
+    if (shared) {
+      card.average->setText(tr("Use the average %1").arg(roundedText(shared->mean)));
+      card.average->setToolTip(plainTip(
+          tr("Gives %1 the target %2").arg(quotedList(namesOf(shared->constraints)), exactText(shared->mean))));
     }
     const std::optional<Vector3>& target = conflictSet->consistentTarget;
     card.retarget->setVisible(target.has_value());
@@ -237,8 +239,35 @@ class ConflictPanel final : public RefreshedPanel {
         tr("Gives %1 the target %2, which agrees with the others").arg(quoted(outcome->name), exactText(*target))));
   }
 
-  /// Ascending, as far as they are in the list still.
+  /// What is shown is the solution of the list. Points that are all at one place are one set, whichever two of them
+  /// the report names: with an average of two, the third would be at odds.
+  [[nodiscard]] std::optional<SharedPlace> sharedPlaceOf(const ConflictCard& card) const
+  {
+    return sharedPlace(shown_->details->system, namedBy(card));
+  }
+
+  /// What is at odds at one place is one set.
   [[nodiscard]] Rows setOf(const ConflictCard& card) const
+  {
+    Rows rows = namedBy(card);
+    const std::optional<SharedPlace> shared = editor_.isCurrent() ? sharedPlaceOf(card) : std::nullopt;
+    for (const ConflictCard& other : cards_) {
+      if (!shared || other.card->isHidden()) break;
+      const Rows named = namedBy(other);
+      if (std::ranges::includes(shared->constraints, named)) rows.insert(rows.end(), named.begin(), named.end());
+    }
+    return sortedOnce(std::move(rows));
+  }
+
+  [[nodiscard]] std::vector<std::string> namesOf(const Rows& rows) const
+  {
+    std::vector<std::string> names;
+    for (const Index row : rows) names.push_back(editor_.list().constraints[row].name);
+    return names;
+  }
+
+  /// Ascending, as far as they are in the list still.
+  [[nodiscard]] Rows namedBy(const ConflictCard& card) const
   {
     std::vector<std::string> names = card.conflict.conflictSet->with;
     names.push_back(card.conflict.outcome->name);
@@ -259,10 +288,11 @@ class ConflictPanel final : public RefreshedPanel {
 
   void average(std::size_t card)
   {
-    const Rows rows = setOf(cards_[card]);
-    if (const auto mean = averageTarget(*editor_.model(), editor_.list(), rows))
-      changeConstraints(editor_, tr("give %1 their average target").arg(subjectOf(editor_, rows)), rows,
-                        [&](const Constraint& constraint) { return agreeing(constraint, *mean, editor_); });
+    const std::optional<SharedPlace> shared = sharedPlaceOf(cards_[card]);
+    if (!shared) return;
+    changeConstraints(editor_, tr("give %1 their average target").arg(subjectOf(editor_, shared->constraints)),
+                      shared->constraints,
+                      [&](const Constraint& constraint) { return agreeing(constraint, shared->mean, editor_); });
   }
 
   void disable(std::size_t card)
@@ -287,6 +317,7 @@ class ConflictPanel final : public RefreshedPanel {
   QWidget* conflicts_ = nullptr;
   QVBoxLayout* conflictLayout_ = nullptr;
   std::vector<ConflictCard> cards_;
+  std::vector<std::string> namesOnButtons_;  // of all cards
   QLabel* more_ = nullptr;
   QLabel* repetitionTitle_ = nullptr;
   QLabel* repetitions_ = nullptr;

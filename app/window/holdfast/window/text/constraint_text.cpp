@@ -79,6 +79,13 @@ struct SelectionText {
   }
 };
 
+QString endsOf(const QString& text, int letters)
+{
+  if (text.size() <= letters) return text;
+  const int ofEnd = (letters - 1) / 2;
+  return text.left(letters - 1 - ofEnd) + QStringLiteral("…") + text.right(ofEnd);
+}
+
 struct WhereText {
   QString operator()(const PointConstraint& point) const { return locationText(point.at); }
   QString operator()(const RelativeConstraint& relative) const
@@ -141,6 +148,16 @@ QString quoted(const std::string& name)
 QString nameText(const std::string& name)
 {
   return QString::fromStdString(shortened(name));
+}
+
+QString quotedEnds(const std::string& name, const std::vector<std::string>& others, int letters)
+{
+  const QString own = QString::fromStdString(printable(name));
+  const auto readsTheSame = [&](const std::string& other) {
+    return other != name && endsOf(QString::fromStdString(printable(other)), letters) == endsOf(own, letters);
+  };
+  while (letters < own.size() && std::ranges::any_of(others, readsTheSame)) ++letters;
+  return QStringLiteral("“%1”").arg(endsOf(own, letters));
 }
 
 QString quotedList(const std::vector<std::string>& names)

@@ -34,6 +34,10 @@ namespace holdfast {
 /// The same without quotes, for menus.
 [[nodiscard]] QString nameText(const std::string& name);
 
+/// “measured…t 0017”: the beginning and the end of a name that has more than `letters`; more of them as long as one of
+/// `others`, other than it, would read the same.
+[[nodiscard]] QString quotedEnds(const std::string& name, const std::vector<std::string>& others, int letters);
+
 /// “P1”, “P2” and “P3”; of many the first few and how many others.
 [[nodiscard]] QString quotedList(const std::vector<std::string>& names);
 
