@@ -85,6 +85,8 @@ void GizmoTool::followSurface()
 
 void GizmoTool::start()
 {
+  // What it shows under the cursor would stay behind.
+  viewport().leaveTool();
   view_ = DisplayTransform(viewport().renderer());
   pivot_ = gizmo_.GetFrame().center;
   degreesSeen_ = 0;
@@ -132,7 +134,7 @@ void GizmoTool::finish(vtkObject* /*caller*/, unsigned long event, void* /*data*
 
 std::vector<Vector3> GizmoTool::extent() const
 {
-  if (gizmo_.GetVisibility() == 0) return {};
+  if (!placing_) return {};
   const DisplayTransform view(viewport().renderer());
   const Vector3& center = gizmo_.GetFrame().center;
   const double radius = placementOf(view, gizmo_.GetFrame(), gizmo_.GetPixelSize() * gizmo_.GetPixelRatio()).scale;

@@ -43,7 +43,7 @@ class Tool : public QObject {
   virtual bool cancel() { return false; }
   /// Removes what the tool has made last and still holds; false if there is nothing.
   virtual bool remove() { return false; }
-  /// Places beside the surface that "show all" shows, too, as the camera stands now.
+  /// Places beside the surface that "show all" shows, too, as the camera stands now; of a document that is open.
   [[nodiscard]] virtual std::vector<Vector3> extent() const { return {}; }
   /// Draws over the picture, in the viewport's own coordinates.
   virtual void paint(QPainter& /*painter*/) const {}

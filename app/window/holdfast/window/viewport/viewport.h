@@ -76,6 +76,7 @@ class Viewport : public VtkView {
   [[nodiscard]] QRectF legendBox() const { return boxOf(legend(), font(), rect()); }
 
   /// From where the camera looks; in parallel projection, too. The legend and the axes in the corner stay clear of it.
+  /// Places of the first tool are shown as well where they are no farther from the mesh than it is large.
   void frameAll();
   /// The same from a corner, as it is first shown.
   void lookFromCorner();

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 
+#include <holdfast/geometry/bounding_box.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/window/viewport/viewport.h>
 
@@ -23,6 +25,14 @@ constexpr double kMostFree = 0.25;
 constexpr int kGizmoSteps = 5;
 
 constexpr std::size_t kMostViews = 200;
+
+/// Whether these places lie farther from the mesh than it is large: beside them it would be a speck.
+bool isFarFrom(const Eigen::AlignedBox3d& mesh, const std::vector<Vector3>& places)
+{
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3& place : places) middle += place / static_cast<double>(places.size());
+  return mesh.exteriorDistance(middle) > mesh.diagonal().norm();
+}
 
 }  // namespace
 
@@ -86,10 +96,11 @@ void Viewport::fitCamera(const ViewFrame& frame)
   vtkCamera& camera = *renderer_->GetActiveCamera();
   Positions places = shownPositions();
   fit(camera, frame, places, aspect, free);
+  const Eigen::AlignedBox3d mesh = boundingBox(places);
   const Index count = places.rows();
   for (int step = 0; step < kGizmoSteps && firstTool_ != nullptr; ++step) {
     const std::vector<Vector3> extent = firstTool_->extent();
-    if (extent.empty()) break;
+    if (extent.empty() || isFarFrom(mesh, extent)) break;
     places.conservativeResize(count + static_cast<Index>(extent.size()), Eigen::NoChange);
     for (std::size_t k = 0; k < extent.size(); ++k) places.row(count + static_cast<Index>(k)) = extent[k];
     fit(camera, frame, places, aspect, free);

@@ -88,14 +88,14 @@ void Viewport::setHidden(std::shared_ptr<const std::vector<char>> hidden)
   Q_EMIT hiddenChanged(hidden_ != nullptr);
 }
 
-/// Of all vertices where nothing is hidden.
+/// Of the corners of faces that are shown; of all vertices where there are none. A vertex of no face may lie anywhere.
 Positions Viewport::shownPositions() const
 {
-  if (!hidden_) return editor_.positions();
+  const SolverMesh& mesh = editor_.model()->solverMesh;
   std::vector<Index> shown;
   for (Index v = 0; v < editor_.positions().rows(); ++v)
-    if (surface_->isShown(v)) shown.push_back(v);
-  return editor_.positions()(shown, Eigen::all);
+    if (hidden_ ? surface_->isShown(v) : mesh.componentOf[mesh.weld.unknownOf[v]] >= 0) shown.push_back(v);
+  return shown.empty() ? editor_.positions() : editor_.positions()(shown, Eigen::all);
 }
 
 }  // namespace holdfast
