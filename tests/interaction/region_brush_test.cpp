@@ -150,7 +150,7 @@ TEST_F(RegionsOfGrid, TheBrushFollowsTheCursorAndVanishesWithIt)
   EXPECT_EQ(fixture.window().GetCurrentCursor(), VTK_CURSOR_DEFAULT);
 }
 
-TEST_F(RegionsOfGrid, HoveringWaitsWhileTheCameraMoves)
+TEST_F(RegionsOfGrid, HoveringEndsWhileTheCameraMoves)
 {
   vtkNew<SurfaceCameraStyle> style;
   fixture.interactor().SetInteractorStyle(style);
@@ -158,8 +158,10 @@ TEST_F(RegionsOfGrid, HoveringWaitsWhileTheCameraMoves)
   // The style begins with this one, which it sees after the widget.
   mouse().moveTo({10, 3});
   mouse().moveTo({60, 80});
-  EXPECT_NEAR((outline().front() - DisplayPoint(10, 3)).norm(), 24, 1e-9);
+  EXPECT_THAT(outline(), IsEmpty());
   mouse().release({60, 80});
+  mouse().moveTo({60, 81});
+  EXPECT_NEAR((outline().front() - DisplayPoint(60, 81)).norm(), 24, 1e-9);
 }
 
 TEST_F(RegionsOfGrid, BracketsSizeTheBrushWithinItsLimits)
@@ -178,6 +180,28 @@ TEST_F(RegionsOfGrid, BracketsSizeTheBrushWithinItsLimits)
   widget->SetBrushRadius(1e9);
   EXPECT_EQ(widget->GetBrushRadius(), 300);
   EXPECT_EQ(widget->GetSideAngle(), 20);
+}
+
+TEST_F(RegionsOfGrid, TheCircleOfTheBrushIsHiddenWhileTheCameraMoves)
+{
+  vtkNew<SurfaceCameraStyle> style;
+  style->SetSurface(fixture.surface());
+  fixture.interactor().SetInteractorStyle(style);
+  mouse().moveTo(pixelOf(5, 4));
+  ASSERT_GT(outline().size(), 8U);
+  const auto expectHiddenDuring = [this](const char* what, auto press, auto release) {
+    SCOPED_TRACE(what);
+    (mouse().*press)(pixelOf(5, 4), {});
+    mouse().moveTo(pixelOf(5.5, 4));
+    mouse().moveTo(pixelOf(6, 4));
+    EXPECT_THAT(outline(), IsEmpty());
+    (mouse().*release)(pixelOf(6, 4), {});
+    mouse().moveTo(pixelOf(5, 4));
+    EXPECT_GT(outline().size(), 8U) << "it comes back";
+  };
+  using test::Mouse;
+  expectHiddenDuring("a rotation", &Mouse::rightPress, &Mouse::rightRelease);
+  expectHiddenDuring("a shift", &Mouse::middlePress, &Mouse::middleRelease);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <QApplication>
+#include <QDialog>
 #include <QProgressDialog>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -9,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/window/files/file_messages.h>
+#include <holdfast/window/files/progress_dialog.h>
 #include <holdfast/window/model/background_job.h>
 
 #include "dialogs.h"
@@ -120,6 +122,85 @@ TEST(ProgressDialog, TellsTheStepAndCancels)
   EXPECT_FALSE(job.isRunning());
   isSeen = true;
   EXPECT_TRUE(test::waitUntil([] { return test::findDialog("progress") == nullptr; }));
+}
+
+/// Two jobs that run until they are cancelled, over one window.
+class ProgressOfWindow : public ::testing::Test {
+ protected:
+  void SetUp() override { ASSERT_TRUE(test::showAndWait(window)); }
+
+  void begin(BackgroundJob& running, const char* title)
+  {
+    running.start(forever);
+    showProgress(running, &window, title);
+  }
+
+  [[nodiscard]] static bool waitForProgress(const char* title)
+  {
+    return test::waitUntil([=] {
+      QDialog* seen = test::findDialog("progress");
+      return seen != nullptr && seen->windowTitle() == title;
+    });
+  }
+
+  QWidget window;
+  BackgroundJob job;
+  BackgroundJob other;
+};
+
+TEST_F(ProgressOfWindow, HidesWhileAnotherDialogIsOpenAndComesBack)
+{
+  begin(job, "Opening a mill");
+  ASSERT_TRUE(waitForProgress("Opening a mill"));
+  for (const Qt::WindowModality modality : {Qt::WindowModal, Qt::ApplicationModal}) {
+    QDialog question(&window);
+    question.setWindowModality(modality);
+    ASSERT_TRUE(test::showAndWait(question));
+    EXPECT_EQ(test::findDialog("progress"), nullptr);
+    test::passProgressDelay();
+    EXPECT_EQ(test::findDialog("progress"), nullptr);
+    question.hide();
+    EXPECT_TRUE(waitForProgress("Opening a mill"));
+  }
+}
+
+TEST_F(ProgressOfWindow, OfWorkThatBeginsDuringADialogComesAfterIt)
+{
+  QDialog question(&window);
+  question.setWindowModality(Qt::WindowModal);
+  ASSERT_TRUE(test::showAndWait(question));
+  begin(job, "Opening a mill");
+  test::passProgressDelay();
+  EXPECT_EQ(test::findDialog("progress"), nullptr);
+  question.hide();
+  EXPECT_TRUE(waitForProgress("Opening a mill"));
+}
+
+TEST_F(ProgressOfWindow, ShowsOneJobAfterTheOther)
+{
+  begin(job, "Opening a mill");
+  begin(other, "Writing a mill");
+  ASSERT_TRUE(waitForProgress("Opening a mill"));
+  test::passProgressDelay();
+  const auto all = window.findChildren<QProgressDialog*>();
+  EXPECT_EQ(std::ranges::count_if(all, [](const QWidget* dialog) { return dialog->isVisible(); }), 1);
+  job.cancel();
+  EXPECT_TRUE(waitForProgress("Writing a mill"));
+}
+
+TEST_F(ProgressOfWindow, NeverComesOnceTheWorkHasEnded)
+{
+  int seen = 0;
+  QObject::connect(&job, &BackgroundJob::ended, [&] {
+    // As a message does, which waits in a loop of its own.
+    test::passProgressDelay();
+    seen += test::findDialog("progress") == nullptr ? 0 : 1;
+  });
+  begin(job, "Opening a mill");
+  job.cancel();
+  EXPECT_EQ(seen, 0);
+  test::passProgressDelay();
+  EXPECT_EQ(test::findDialog("progress"), nullptr);
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include <holdfast/window/panels/color_panel.h>
 
 #include "gestures.h"
+#include "open_document.h"
+#include "support/meshes.h"
 
 namespace holdfast {
 namespace {
@@ -101,6 +103,65 @@ TEST_F(ColorPanelTest, AFixedRangeBeginsAsWhatIsOnScreen)
   chooseFixed();
   EXPECT_EQ(std::get<FixedRange>(changes.back().range).low, 0.25);
   EXPECT_EQ(std::get<FixedRange>(changes.back().range).high, 7.5);
+}
+
+TEST_F(ColorPanelTest, AFixedRangeIsThatOfItsField)
+{
+  auto& field = find<QComboBox>("colorField");
+  const auto show = [&](ColorBy other) { field.setCurrentIndex(static_cast<int>(other)); };
+  show(ColorBy::Displacement);
+  chooseFixed();
+  typeNumber("colorLow", "2");
+  typeNumber("colorHigh", "60");
+  show(ColorBy::Rotation);
+  EXPECT_TRUE(std::holds_alternative<AutomaticRange>(changes.back().range)) << "millimetres are no radians";
+  EXPECT_EQ(changes.back().field, ColorBy::Rotation);
+  EXPECT_EQ(find<QComboBox>("colorRangeKind").currentIndex(), 0);
+  chooseFixed();
+  typeNumber("colorHigh", "3");
+  show(ColorBy::Displacement);
+  EXPECT_EQ(std::get<FixedRange>(changes.back().range).low, 2);
+  EXPECT_EQ(std::get<FixedRange>(changes.back().range).high, 60);
+  EXPECT_EQ(find<QLineEdit>("colorHigh").text(), "60");
+  show(ColorBy::Rotation);
+  EXPECT_EQ(std::get<FixedRange>(changes.back().range).high, 3);
+  find<QComboBox>("colorRangeKind").setCurrentIndex(0);
+  show(ColorBy::Displacement);
+  show(ColorBy::Rotation);
+  EXPECT_TRUE(std::holds_alternative<AutomaticRange>(changes.back().range)) << "chosen since";
+}
+
+TEST_F(ColorPanelTest, OtherRangesAreThoseOfEveryField)
+{
+  find<QComboBox>("colorRangeKind").setCurrentIndex(2);
+  find<QSpinBox>("colorDecades").setValue(9);
+  find<QComboBox>("colorField").setCurrentIndex(static_cast<int>(ColorBy::Detail));
+  EXPECT_EQ(std::get<LogarithmicRange>(changes.back().range).decades, 9);
+}
+
+TEST_F(ColorPanelTest, AnotherDocumentHasAnAutomaticRange)
+{
+  chooseFixed();
+  ASSERT_TRUE(test::openMesh(editor, test::grid(3, 3), {}));
+  EXPECT_TRUE(std::holds_alternative<AutomaticRange>(panel.settings().range));
+  find<QComboBox>("colorField").setCurrentIndex(static_cast<int>(ColorBy::Detail));
+  find<QComboBox>("colorField").setCurrentIndex(static_cast<int>(ColorBy::Displacement));
+  EXPECT_TRUE(std::holds_alternative<AutomaticRange>(changes.back().range));
+}
+
+TEST_F(ColorPanelTest, ARefusalGoesWhenTheNumberIsRight)
+{
+  chooseFixed();
+  const auto& refusal = find<QLabel>("colorRefusal");
+  typeNumber("colorHigh", "abc");
+  ASSERT_TRUE(refusal.isVisible());
+  typeNumber("colorHigh", "1");
+  EXPECT_FALSE(refusal.isVisible()) << "it was 1 before";
+  typeNumber("colorHigh", "-5");
+  ASSERT_TRUE(refusal.isVisible()) << "the end is below the beginning";
+  find<QLineEdit>("colorHigh").selectAll();
+  test::type(find<QLineEdit>("colorHigh"), "7");
+  EXPECT_FALSE(refusal.isVisible()) << "while it is typed";
 }
 
 TEST_F(ColorPanelTest, LeavingAFieldThatWasNotEditedChangesNothing)

@@ -2,10 +2,12 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QHeaderView>
 #include <QHelpEvent>
 #include <QScrollBar>
 #include <QTextDocument>
 #include <QToolTip>
+#include <set>
 
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/io/text/number_text.h>
@@ -218,6 +220,107 @@ TEST_F(ConstraintPanelOfSheet, ResultsOfAnOlderListAreGrey)
   editor.solve();
   ASSERT_TRUE(test::waitForCurrent(editor));
   EXPECT_FALSE(rows().index(1, Table::Residual).data(Qt::ForegroundRole).isValid());
+}
+
+TEST_F(ConstraintPanelOfSheet, ARefusalGoesWhenTheCellIsRight)
+{
+  typeInto(1, Table::X, "abc");
+  ASSERT_TRUE(refusal().isVisible());
+  typeInto(1, Table::X, "3");
+  EXPECT_FALSE(refusal().isVisible()) << "it was 3 before";
+  typeInto(1, Table::X, "abc");
+  ASSERT_TRUE(refusal().isVisible());
+  test::pressKey(table(), Qt::Key_F2);
+  test::pressKey(*table().viewport()->findChild<QLineEdit*>(), Qt::Key_Escape);
+  EXPECT_FALSE(refusal().isVisible()) << "what was there stays";
+  ASSERT_TRUE(test::waitUntil([&] { return table().viewport()->findChild<QLineEdit*>() == nullptr; }));
+  typeInto(1, Table::Name, "P2");
+  ASSERT_TRUE(refusal().isVisible()) << "the name is taken";
+  typeInto(1, Table::Name, "P1");
+  EXPECT_FALSE(refusal().isVisible());
+}
+
+TEST_F(ConstraintPanelOfSheet, TheFirstCharacterOfANumberEditsItsCell)
+{
+  const auto typeAtOnce = [this](int row, int column, const char* text) {
+    table().selectionModel()->setCurrentIndex(rows().index(row, column), QItemSelectionModel::NoUpdate);
+    table().setFocus();
+    test::type(table(), std::string(1, text[0]).c_str());
+    auto* line = table().viewport()->findChild<QLineEdit*>();
+    ASSERT_NE(line, nullptr) << text;
+    EXPECT_EQ(table().currentIndex(), rows().index(row, column)) << "the row stays";
+    test::type(*line, text + 1);
+    test::pressKey(*line, Qt::Key_Return);
+    ASSERT_TRUE(test::waitUntil([&] { return table().viewport()->findChild<QLineEdit*>() == nullptr; }));
+    EXPECT_EQ(table().currentIndex(), rows().index(row, column));
+  };
+  typeAtOnce(1, Table::X, "4.25");
+  EXPECT_EQ(std::get<Target>(point("P1").to).place.x(), 4.25);
+  typeAtOnce(1, Table::Y, "-2");
+  EXPECT_EQ(std::get<Target>(point("P1").to).place.y(), -2);
+  typeAtOnce(1, Table::Z, ".5");
+  EXPECT_EQ(std::get<Target>(point("P1").to).place.z(), 0.5);
+}
+
+TEST_F(ConstraintPanelOfSheet, DigitsBesideNumbersLeaveTheRow)
+{
+  // A fixed region has no target; residuals cannot be typed.
+  for (const auto& [row, column] :
+       {std::pair(0, static_cast<int>(Table::X)), {1, Table::Residual}, {2, Table::Where}}) {
+    table().selectionModel()->setCurrentIndex(rows().index(row, column), QItemSelectionModel::NoUpdate);
+    for (const char* text : {"8", "0", "3"}) test::type(table(), text);
+    EXPECT_EQ(table().currentIndex(), rows().index(row, column));
+  }
+  table().selectionModel()->setCurrentIndex(rows().index(0, Table::Name), QItemSelectionModel::NoUpdate);
+  test::type(table(), "t");
+  EXPECT_EQ(table().currentIndex().row(), 5) << "names are found by their letters";
+}
+
+TEST_F(ConstraintPanelOfSheet, ARowThatIsSortedElsewhereStaysInSight)
+{
+  ConstraintList list = editor.list();
+  for (int k = 0; k < 60; ++k)
+    list.constraints.push_back({"Q" + std::to_string(k), true, PointConstraint{AtVertex{k}, Target{Vector3(k, 0, 0)}}});
+  editor.edit("add", list);
+  ASSERT_TRUE(test::waitForCurrent(editor));
+  QHeaderView& header = *table().horizontalHeader();
+  test::click(*header.viewport(), QPointF(header.sectionViewportPosition(Table::X) + 20, header.height() / 2.0));
+  const int first =
+      rows().match(rows().index(0, Table::Name), Qt::DisplayRole, "Q1", 1, Qt::MatchExactly).front().row();
+  typeInto(first, Table::X, "1000");
+  EXPECT_EQ(table().currentIndex().siblingAtColumn(Table::Name).data().toString(), "Q1");
+  EXPECT_TRUE(table().viewport()->rect().contains(table().visualRect(table().currentIndex()).center()));
+}
+
+TEST_F(ConstraintPanelOfSheet, ANumberIsNeverCutAtTheEdgeOfTheTable)
+{
+  ConstraintList list = editor.list();
+  std::get<Target>(std::get<PointConstraint>(list.constraints[1].what).to).place.x() = 55.673;
+  editor.edit("move", list);
+  panel.resize(420, 500);
+  ASSERT_TRUE(test::waitUntil([&] { return table().horizontalScrollBar()->maximum() > 0; }));
+  table().setAlternatingRowColors(false);
+  // A cell of which a part is seen looks as one that is as narrow as that part, whichever side is hidden.
+  auto& whole = static_cast<ConstraintTable&>(table());
+  const QModelIndex cell = rows().index(1, Table::X);
+  std::set<int> widths;
+  for (int scrolled = 0; scrolled <= table().horizontalScrollBar()->maximum(); scrolled += 3) {
+    table().horizontalScrollBar()->setValue(scrolled);
+    const QRect seen = whole.seenPart(table().visualRect(cell));
+    if (seen.width() < table().horizontalHeader()->minimumSectionSize() ||
+        seen.width() >= table().visualRect(cell).width())
+      continue;
+    widths.insert(seen.width());
+    const QImage part = table().viewport()->grab(seen).toImage();
+    const int all = table().columnWidth(Table::X);
+    table().horizontalScrollBar()->setValue(0);
+    table().setColumnWidth(Table::X, seen.width());
+    table().scrollTo(cell);
+    const QRect narrow = table().visualRect(cell);
+    EXPECT_EQ(table().viewport()->grab(narrow).toImage(), part) << seen.width();
+    table().setColumnWidth(Table::X, all);
+  }
+  EXPECT_GT(widths.size(), 5u);
 }
 
 }  // namespace

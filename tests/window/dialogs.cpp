@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <holdfast/window/files/progress_dialog.h>
+
 #include "gestures.h"
 
 namespace holdfast::test {
@@ -44,6 +46,22 @@ QDialog* findDialog(const QString& objectName)
     if (widget->objectName() == objectName && widget->isVisible() && widget->windowHandle()->isExposed())
       return qobject_cast<QDialog*>(widget);
   return nullptr;
+}
+
+bool isOnTop(QDialog& dialog)
+{
+  const QRect inside = QRect(dialog.mapToGlobal(QPoint(0, 0)), dialog.size()).adjusted(3, 3, -3, -3);
+  for (const QPoint& place :
+       {inside.center(), inside.topLeft(), inside.topRight(), inside.bottomLeft(), inside.bottomRight()})
+    if (QApplication::topLevelAt(place) != &dialog) return false;
+  return true;
+}
+
+void passProgressDelay()
+{
+  bool isOver = false;
+  QTimer::singleShot(2 * kMillisecondsWithoutProgress, [&] { isOver = true; });
+  EXPECT_TRUE(waitUntil([&] { return isOver; }));
 }
 
 void clickButton(QDialog& dialog, const QString& button)

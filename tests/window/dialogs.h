@@ -33,6 +33,12 @@ class DialogAnswer {
 /// The dialog of this name that is on the screen; null where none is.
 [[nodiscard]] QDialog* findDialog(const QString& objectName);
 
+/// Whether nothing lies over the dialog, as the display itself says: at its middle and near its corners.
+[[nodiscard]] bool isOnTop(QDialog& dialog);
+
+/// Handles events for longer than a progress dialog, of work that has begun by now, takes to come.
+void passProgressDelay();
+
 /// Clicks the button with this object name, or with this text (mnemonics aside). Fails the test where there is none.
 void clickButton(QDialog& dialog, const QString& button);
 

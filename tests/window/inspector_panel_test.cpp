@@ -68,6 +68,39 @@ TEST_F(InspectorPanelOfSheet, WeightsThatDoNotSumToOneAreRefusedUntilNormalized)
   EXPECT_EQ(refusal(), "");
 }
 
+TEST_F(InspectorPanelOfSheet, ARefusalGoesWhenTheFieldIsRight)
+{
+  panel.activateWindow();
+  ASSERT_TRUE(test::waitUntil([this] { return panel.isActiveWindow(); }));
+  editor.selectConstraints({1});
+  for (const char* wrong : {"abc", "1000", "36.5"}) {
+    typeInto("locationFirst", wrong);
+    ASSERT_NE(refusal(), "") << wrong;
+    typeInto("locationFirst", "36");
+    EXPECT_EQ(refusal(), "") << "as it was before " << wrong;
+  }
+  typeInto("targetPlaceX", "abc");
+  ASSERT_NE(refusal(), "");
+  test::pressKey(find("targetPlaceX"), Qt::Key_Escape);
+  EXPECT_EQ(refusal(), "") << "the last number is back";
+  typeInto("targetPlaceX", "abc");
+  find("targetPlaceY").setFocus();
+  ASSERT_NE(refusal(), "") << "why the number is the last one";
+  find("targetPlaceX").setFocus();
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(InspectorPanelOfSheet, ARefusalOfSeveralNumbersStaysWhileTheyAreWrong)
+{
+  editor.selectConstraints({3});
+  typeInto("locationWeight0", "0.75");
+  ASSERT_NE(refusal(), "");
+  find("locationWeight2").setFocus();
+  EXPECT_NE(refusal(), "");
+  typeInto("locationWeight2", "0");
+  EXPECT_EQ(refusal(), "");
+}
+
 TEST_F(InspectorPanelOfSheet, ARefusalMovesNoField)
 {
   editor.selectConstraints({1});

@@ -36,18 +36,18 @@ History::History(DocumentState state)
   saved_ = states_.front().state;
 }
 
-void History::push(std::string name, std::shared_ptr<const DocumentState> state)
+void History::push(std::string name, std::shared_ptr<const DocumentState> state, EditKind kind)
 {
   states_.resize(position_ + 1);
-  states_.push_back({std::move(name), std::move(state)});
+  states_.push_back({std::move(name), std::move(state), kind});
   if (states_.size() > kLongestHistory + 1) states_.erase(states_.begin());
   position_ = states_.size() - 1;
 }
 
-void History::edit(std::string name, DocumentState after)
+void History::edit(std::string name, DocumentState after, EditKind kind)
 {
   endGesture();
-  push(std::move(name), std::make_shared<const DocumentState>(std::move(after)));
+  push(std::move(name), std::make_shared<const DocumentState>(std::move(after)), kind);
 }
 
 void History::beginGesture(std::string name)
@@ -65,7 +65,18 @@ void History::updateGesture(DocumentState after)
 void History::endGesture()
 {
   const auto gesture = std::move(gesture_);
-  if (gesture && gesture->after != states_[position_].state) push(std::move(gesture->name), gesture->after);
+  if (gesture && gesture->after != states_[position_].state)
+    push(std::move(gesture->name), gesture->after, EditKind::OfDocument);
+}
+
+bool History::isSaved() const
+{
+  if (saved_ == state()) return true;
+  const auto saved = std::ranges::find(states_, saved_, &Entry::state);
+  if (saved == states_.end() || state() != states_[position_].state) return false;
+  const auto [first, last] = std::minmax({saved - states_.begin(), static_cast<std::ptrdiff_t>(position_)});
+  return std::all_of(states_.begin() + first + 1, states_.begin() + last + 1,
+                     [](const Entry& entry) { return entry.kind == EditKind::Aside; });
 }
 
 bool History::undo()

@@ -46,6 +46,12 @@ struct DocumentState {
   std::shared_ptr<const Annotations> annotations = std::make_shared<const Annotations>();
 };
 
+/// Whether an edit makes a document that is saved an unsaved one.
+enum class EditKind {
+  OfDocument,
+  Aside  ///< a look at the document, which its file keeps once it is saved, and of which no user means to be asked
+};
+
 /// The states of one document, oldest first. Undo brings back the very object that was there before. A gesture (a drag)
 /// is one edit however many states it goes through.
 class History {
@@ -59,7 +65,7 @@ class History {
   }
 
   /// One edit, named for menus ("move P1"). What could be redone is gone. A gesture under way ends before it.
-  void edit(std::string name, DocumentState after);
+  void edit(std::string name, DocumentState after, EditKind kind = EditKind::OfDocument);
 
   /// One under way ends before it.
   void beginGesture(std::string name);
@@ -87,19 +93,21 @@ class History {
   void markSaved(std::shared_ptr<const DocumentState> state) noexcept { saved_ = std::move(state); }
   /// The user's file holds no state, or there is none.
   void markUnsaved() noexcept { saved_.reset(); }
-  [[nodiscard]] bool isSaved() const noexcept { return saved_ == state(); }
+  /// Whether the user's file holds what is shown, apart from edits aside since.
+  [[nodiscard]] bool isSaved() const;
 
  private:
   struct Entry {
     std::string name;  // of the edit that led here
     std::shared_ptr<const DocumentState> state;
+    EditKind kind = EditKind::OfDocument;  // of that edit
   };
   struct Gesture {
     std::string name;
     std::shared_ptr<const DocumentState> after;
   };
 
-  void push(std::string name, std::shared_ptr<const DocumentState> state);
+  void push(std::string name, std::shared_ptr<const DocumentState> state, EditKind kind);
 
   std::vector<Entry> states_;
   std::size_t position_ = 0;

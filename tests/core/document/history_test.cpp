@@ -124,6 +124,46 @@ TEST(History, KnowsWhetherTheFileHasWhatIsShown)
   EXPECT_FALSE(history.isSaved());
 }
 
+TEST(History, EditsAsideLeaveASavedDocumentSaved)
+{
+  History history(named("a"));
+  history.edit("look", named("a, looked at"), EditKind::Aside);
+  EXPECT_TRUE(history.isSaved());
+  history.edit("look", named("a, looked at twice"), EditKind::Aside);
+  EXPECT_TRUE(history.isSaved());
+  history.beginGesture("drag");
+  EXPECT_TRUE(history.isSaved()) << "nothing has moved";
+  history.updateGesture(named("b"));
+  EXPECT_FALSE(history.isSaved());
+  history.cancelGesture();
+  history.undo();
+  EXPECT_TRUE(history.isSaved());
+  EXPECT_TRUE(history.canUndo()) << "they are edits all the same";
+}
+
+TEST(History, AnEditBesideThoseAsideIsUnsaved)
+{
+  History history(named("a"));
+  history.edit("look", named("a, looked at"), EditKind::Aside);
+  history.edit("to b", named("b"));
+  EXPECT_FALSE(history.isSaved());
+  history.edit("look", named("b, looked at"), EditKind::Aside);
+  EXPECT_FALSE(history.isSaved());
+  history.markSaved(history.state());
+  history.undo();
+  EXPECT_TRUE(history.isSaved()) << "the file has more, and all of it";
+  history.undo();
+  EXPECT_FALSE(history.isSaved());
+}
+
+TEST(History, EditsAsideOfADocumentInNoFileDoNotSaveIt)
+{
+  History history(named("a"));
+  history.markUnsaved();
+  history.edit("look", named("a, looked at"), EditKind::Aside);
+  EXPECT_FALSE(history.isSaved());
+}
+
 TEST(History, ForgetsTheOldestEditsBeyondItsLength)
 {
   History history(named("0"));

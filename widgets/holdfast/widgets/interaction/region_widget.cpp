@@ -241,7 +241,10 @@ bool RegionWidget::MoveTo()
     return true;
   }
   this->LeftClick.LeaveAt(cursor, this->PixelRatio);
-  if (isCameraMoving(*this->Interactor)) return false;
+  if (isCameraMoving(*this->Interactor)) {
+    this->HideCircle();
+    return false;
+  }
   if (!this->Surface || !this->IsCursorInside()) {
     this->Leave();
     return false;
@@ -412,6 +415,11 @@ bool RegionWidget::ChangeBendFrom()
 void RegionWidget::Leave()
 {
   this->ShowCursor(VTK_CURSOR_DEFAULT);
+  this->HideCircle();
+}
+
+void RegionWidget::HideCircle()
+{
   if (this->Current == Gesture::Stroke || this->Current == Gesture::Outline) return;
   if (this->Drawn().GetOutline().empty()) return;
   this->Drawn().ShowNothing();

@@ -115,6 +115,9 @@ class RegionWidget : public WidgetOf<RegionRepresentation> {
   void SetReach(ScreenReach reach) { this->Reach = reach; }
   [[nodiscard]] ScreenReach GetReach() const { return this->Reach; }
 
+  /// No circle shows the brush until the mouse moves over the surface again. Does nothing during a gesture.
+  void HideCircle();
+
   /// Takes back the gesture under way, as Escape does. False where there is none.
   bool Cancel();
 

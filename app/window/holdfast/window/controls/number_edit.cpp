@@ -1,6 +1,7 @@
 #include "holdfast/window/controls/number_edit.h"
 
 #include <QKeyEvent>
+#include <utility>
 
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/window/controls/panel_parts.h>
@@ -21,6 +22,9 @@ NumberEdit::NumberEdit(QWidget* parent) : QLineEdit(parent)
 {
   setPlaceholderText(tr("mixed"));
   connect(this, &QLineEdit::editingFinished, this, &NumberEdit::finish);
+  connect(this, &QLineEdit::textEdited, this, [this] {
+    if (typed()) Q_EMIT righted();
+  });
 }
 
 void NumberEdit::setNumber(std::optional<double> number)
@@ -51,9 +55,17 @@ void NumberEdit::keyPressEvent(QKeyEvent* event)
   if (event->key() == Qt::Key_Escape && isModified()) {
     replaceTyped(number_);
     event->accept();
+    Q_EMIT righted();
     return;
   }
   QLineEdit::keyPressEvent(event);
+}
+
+void NumberEdit::focusInEvent(QFocusEvent* event)
+{
+  QLineEdit::focusInEvent(event);
+  // What was refused when the user left was replaced then.
+  if (std::exchange(isRefused_, false)) Q_EMIT righted();
 }
 
 void NumberEdit::finish()
@@ -63,7 +75,8 @@ void NumberEdit::finish()
   const std::optional<double> number = typed();
   if (!number) {
     if (!hasFocus()) replaceTyped(number_);
-    if (!shown.trimmed().isEmpty() || number_) Q_EMIT refused(notANumber(shown));
+    isRefused_ = !shown.trimmed().isEmpty() || number_;
+    if (isRefused_) Q_EMIT refused(notANumber(shown));
     return;
   }
   const bool isOther = !isSame(number, number_);
@@ -79,6 +92,7 @@ VectorEdit::VectorEdit(const QString& name, const QString& title, QWidget* paren
     NumberEdit* line = named(new NumberEdit(this), name + axes[axis].toUpper(), title + ' ' + axes[axis]);
     connect(line, &NumberEdit::entered, this, [this, axis](double number) { Q_EMIT entered(axis, number); });
     connect(line, &NumberEdit::refused, this, &VectorEdit::refused);
+    connect(line, &NumberEdit::righted, this, &VectorEdit::righted);
     layout->addWidget(line, 1);
     lines_[static_cast<std::size_t>(axis)] = line;
   }

@@ -27,14 +27,18 @@ class NumberEdit : public QLineEdit {
   void entered(double number);
   /// The text is no number; the line shows it as long as it has the focus.
   void refused(const QString& reason);
+  /// The user types a number, or the line has its last one again: what was refused is not there any more.
+  void righted();
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
 
  private:
   void finish();
 
   std::optional<double> number_;
+  bool isRefused_ = false;  // what was typed last
 };
 
 class VectorEdit : public QWidget {
@@ -56,6 +60,7 @@ class VectorEdit : public QWidget {
  Q_SIGNALS:
   void entered(int axis, double number);
   void refused(const QString& reason);
+  void righted();
 
  private:
   std::array<NumberEdit*, 3> lines_{};

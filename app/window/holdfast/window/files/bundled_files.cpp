@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QStandardPaths>
+#include <algorithm>
 #include <array>
 
 namespace holdfast {
@@ -10,6 +12,15 @@ namespace {
 
 // From the program's folder: of bin/ of an installation, of build/PRESET/app/.
 constexpr std::array kRoots{"../share/holdfast/", "../../../"};
+
+bool isBundled(const QString& folder)
+{
+  const QDir program(QCoreApplication::applicationDirPath());
+  return std::any_of(kRoots.begin(), kRoots.end(), [&](const char* root) {
+    const QString samples = QFileInfo(program.filePath(QString(root) + "data")).canonicalFilePath();
+    return !samples.isEmpty() && (folder == samples || folder.startsWith(samples + '/'));
+  });
+}
 
 }  // namespace
 
@@ -19,6 +30,16 @@ QString bundledFile(const QString& path)
   for (const char* root : kRoots)
     if (const QString file = QDir::cleanPath(program.filePath(root + path)); QFileInfo::exists(file)) return file;
   return {};
+}
+
+QString ownFolderBeside(const QString& file)
+{
+  const QFileInfo folder(QFileInfo(file).path());
+  // Of a folder that is not there any more the user is told.
+  const bool isForAll = folder.exists() && (!folder.isWritable() || isBundled(folder.canonicalFilePath()));
+  if (!isForAll) return folder.filePath();
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  return QFileInfo(documents).isDir() ? documents : QDir::homePath();
 }
 
 std::vector<Example> examples()

@@ -26,7 +26,10 @@
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/files/poly_data_file.h>
 #include <holdfast/widgets/scene/scene.h>
+#include <holdfast/window/controls/open_dialog.h>
 #include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/files/bundled_files.h>
+#include <holdfast/window/files/progress_dialog.h>
 #include <holdfast/window/files/recent_files.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -273,7 +276,7 @@ bool DocumentExports::mayExportShown()
 QString DocumentExports::suggested(const QString& ending) const
 {
   const QFileInfo mesh(textOf(editor_.mesh().path));
-  return inLastFolder("export", mesh.path() + '/' + mesh.completeBaseName() + ending);
+  return inLastFolder("export", ownFolderBeside(mesh.filePath()) + '/' + mesh.completeBaseName() + ending);
 }
 
 QString DocumentExports::ask(const QString& title, const QString& ending, const QStringList& filters)
@@ -296,7 +299,9 @@ void DocumentExports::make(const QString& title, const QString& ending, const QS
   writing_ = path;
   job_.start([this, path = path.toStdString(), maker = std::move(maker)](Progress& progress) {
     return [this, file = std::make_shared<Made>(maker(path, progress))] {
-      if (mayMiss(file->missedBy)) write(std::move(file->contents));
+      whenNoDialogIsOpen(*this, [this, file] {
+        if (mayMiss(file->missedBy)) write(std::move(file->contents));
+      });
     };
   });
   showProgress(job_, window_, tr("Writing %1").arg(name()));
@@ -321,10 +326,19 @@ void DocumentExports::write(Serialized contents)
       Q_EMIT done(tr("wrote %1").arg(name()));
       QStringList texts;
       for (const std::string& note : notes) texts << QString::fromStdString(note);
-      if (!texts.empty()) showNotes(window_, tr("“%1” is written.").arg(name()), texts);
+      if (texts.empty()) return;
+      whenNoDialogIsOpen(
+          *this, [this, texts, written = name()] { showNotes(window_, tr("“%1” is written.").arg(written), texts); });
     };
   });
   showProgress(job_, window_, tr("Writing %1").arg(name()));
+}
+
+void DocumentExports::showFailure(const std::exception_ptr& error)
+{
+  whenNoDialogIsOpen(*this, [this, error, failed = name()] {
+    showProblem(window_, tr("“%1” cannot be written.").arg(failed), error);
+  });
 }
 
 }  // namespace holdfast

@@ -75,10 +75,7 @@ class DocumentExports : public QObject {
   [[nodiscard]] bool mayMiss(double length);
   void writePicture(const QString& path, const std::function<QImage()>& draw);
   void write(Serialized contents);
-  void showFailure(const std::exception_ptr& error)
-  {
-    showProblem(window_, tr("“%1” cannot be written.").arg(name()), error);
-  }
+  void showFailure(const std::exception_ptr& error);
   [[nodiscard]] QString name() const { return QFileInfo(writing_).fileName(); }
 
   Editor& editor_;

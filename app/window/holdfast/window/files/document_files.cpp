@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/window/controls/open_dialog.h>
 #include <holdfast/window/files/import_dialog.h>
+#include <holdfast/window/files/progress_dialog.h>
 #include <holdfast/window/files/recent_files.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -27,11 +29,14 @@ bool isSessionFile(const fs::path& path)
 DocumentFiles::DocumentFiles(Editor& editor, QWidget* window) : QObject(window), editor_(editor), window_(window)
 {
   connect(&job_, &BackgroundJob::failed, this, [this](const std::exception_ptr& error) {
-    showProblem(window_, tr("“%1” cannot be opened.").arg(opening_), error);
+    whenNoDialogIsOpen(
+        *this, [this, error, name = opening_] { showProblem(window_, tr("“%1” cannot be opened.").arg(name), error); });
   });
   connect(&saving_, &BackgroundJob::failed, this, [this](const std::exception_ptr& error) {
     saveNext_.reset();
-    showProblem(window_, tr("“%1” cannot be saved.").arg(textOf(savingPath_.filename())), error);
+    whenNoDialogIsOpen(*this, [this, error, name = textOf(savingPath_.filename())] {
+      showProblem(window_, tr("“%1” cannot be saved.").arg(name), error);
+    });
   });
   connect(&editor_, &Editor::opened, this, [this] {
     if (!editor_.isOpen()) setPath({});
@@ -102,7 +107,11 @@ void DocumentFiles::find(const std::shared_ptr<Opening>& opening)
   opening_ = textOf(opening->path.filename());
   job_.start([this, opening](Progress& progress) {
     opening->read(progress);
-    return [this, opening] { opening->mesh.model != nullptr ? adopt(*opening) : askAboutMesh(opening); };
+    // Both may ask the user.
+    return [this, opening] {
+      whenNoDialogIsOpen(*this,
+                         [this, opening] { opening->mesh.model != nullptr ? adopt(*opening) : askAboutMesh(opening); });
+    };
   });
   showProgress(job_, window_, tr("Opening %1").arg(opening_));
 }
@@ -226,7 +235,7 @@ bool DocumentFiles::save()
 fs::path DocumentFiles::askWhereToSave()
 {
   const QString suggestion =
-      QFileInfo(suggestedPath()).path() + '/' + QFileInfo(name()).completeBaseName() + ".holdfast";
+      ownFolderBeside(suggestedPath()) + '/' + QFileInfo(name()).completeBaseName() + ".holdfast";
   const QString path = chooser_(window_, {FileQuestion::Purpose::Write,
                                           tr("Save the session"),
                                           sessionPath_.empty() ? inLastFolder("save", suggestion) : suggestion,

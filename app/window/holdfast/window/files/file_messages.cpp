@@ -2,9 +2,7 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QProgressDialog>
 #include <QRegularExpression>
-#include <QTimer>
 
 #include <holdfast/base/available_memory.h>
 #include <holdfast/base/error.h>
@@ -92,22 +90,6 @@ void showNotes(QWidget* window, const QString& headline, const QStringList& note
   QString text;
   for (const QString& note : notes) text += (text.isEmpty() ? "• " : "\n• ") + asSentence(note);
   Box(window, QMessageBox::Information, headline, text).exec();
-}
-
-void showProgress(BackgroundJob& job, QWidget* window, const QString& title)
-{
-  auto* dialog = named(new QProgressDialog({}, QObject::tr("Cancel"), 0, 0, window), "progress");
-  dialog->setWindowTitle(title);
-  dialog->setWindowModality(Qt::NonModal);
-  // Work goes on meanwhile: keys stay where they are typed.
-  dialog->setAttribute(Qt::WA_ShowWithoutActivating);
-  dialog->setMinimumWidth(dialog->fontMetrics().averageCharWidth() * 50);
-  QObject::connect(&job, &BackgroundJob::stepChanged, dialog, &QProgressDialog::setLabelText);
-  // The dialog may be the sender: its Cancel is what ends the work.
-  QObject::connect(&job, &BackgroundJob::ended, dialog, &QObject::deleteLater);
-  QObject::connect(dialog, &QProgressDialog::canceled, &job, &BackgroundJob::cancel);
-  // What is done sooner needs no dialog, which would only flash.
-  QTimer::singleShot(300, dialog, &QWidget::show);
 }
 
 QMessageBox::StandardButton askToSave(QWidget* window, const QString& name, const QString& action)

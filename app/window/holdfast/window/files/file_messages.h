@@ -7,7 +7,6 @@
 #include <functional>
 
 #include <holdfast/document/session_file.h>
-#include <holdfast/window/model/background_job.h>
 
 namespace holdfast {
 
@@ -38,9 +37,6 @@ void showProblem(QWidget* window, const QString& headline, const QString& reason
 
 /// `headline` says what was done; the notes are what the user should know about it.
 void showNotes(QWidget* window, const QString& headline, const QStringList& notes);
-
-/// The steps of `job`, which runs, in a small dialog that can cancel it, once it takes longer than a moment.
-void showProgress(BackgroundJob& job, QWidget* window, const QString& title);
 
 /// `Save`, `Discard` or `Cancel`: about unsaved changes of the document `name`, before `action`.
 [[nodiscard]] QMessageBox::StandardButton askToSave(QWidget* window, const QString& name, const QString& action);

@@ -59,8 +59,8 @@ class ImportDialog : public QDialog {
     connect(&model_, &QAbstractItemModel::dataChanged, this, &ImportDialog::updateTexts);
     connect(&model_, &QAbstractItemModel::modelReset, this, &ImportDialog::updateTexts);
     connect(&job_, &BackgroundJob::failed, this, [this](const std::exception_ptr& error) {
-      showProblem(this, tr("“%1” cannot be imported.").arg(file_), error);
       reject();
+      showProblem(parentWidget(), tr("“%1” cannot be imported.").arg(file_), error);
     });
     connect(this, &QDialog::finished, &job_, &BackgroundJob::cancel);
     read(std::nullopt);
@@ -181,6 +181,7 @@ class ImportDialog : public QDialog {
     tolerance_->setNumber(usualTolerance(*editor_.model()));
     connect(tolerance_, &NumberEdit::entered, &model_, &ImportTable::setTolerance);
     connect(tolerance_, &NumberEdit::refused, summary_, &QLabel::setText);
+    connect(tolerance_, &NumberEdit::righted, this, &ImportDialog::updateTexts);
     auto* before = new QLabel(tr("&Leave out points farther than"));
     before->setBuddy(tolerance_);
     const QString units = QString::fromStdString(editor_.list().units);

@@ -82,16 +82,16 @@ class HandleSection : public SectionOf<HandleConstraint> {
                    [](HandleConstraint& handle, double number) { turnOf(handle).degrees = number; }),
         tr("Any number of turns: 720 is twice around"));
     bindChoice(
-        tr("T&hrough"), "handleCenterChoice", tr("What the axis goes through"), {tr("its centroid"), tr("a place")},
+        tr("Thro&ugh"), "handleCenterChoice", tr("What the axis goes through"), {tr("its centroid"), tr("a place")},
         [](const HandleConstraint& handle) -> std::optional<double> {
           const auto* turn = std::get_if<AxisRotation>(&handle.motion);
           return turn == nullptr ? std::nullopt : std::optional(turn->center ? 1 : 0);
         },
         [this](int choice) { chooseCenter(choice); });
-    bindVector(tr("&Center"), "handleCenter", ofTurn(&AxisRotation::center), tr("rotate %1 about another place"),
+    bindVector(tr("Ce&nter"), "handleCenter", ofTurn(&AxisRotation::center), tr("rotate %1 about another place"),
                [](HandleConstraint& handle, int axis, double number) { (*turnOf(handle).center)[axis] = number; });
     bindVector(
-        tr("&Shift"), "handleTranslation", [](const HandleConstraint& handle) { return handle.translate; },
+        tr("Sh&ift"), "handleTranslation", [](const HandleConstraint& handle) { return handle.translate; },
         tr("move %1 to %2 = %3"),
         [](HandleConstraint& handle, int axis, double number) { handle.translate[axis] = number; });
   }
@@ -149,7 +149,7 @@ class FrameSection : public SectionOf<HandleConstraint> {
  public:
   explicit FrameSection(Editor& editor) : SectionOf(editor, tr("Frames"))
   {
-    addFrame(&FrameMotion::from, tr("&From"), "frameFrom", {tr("its centroid"), tr("a place")});
+    addFrame(&FrameMotion::from, tr("Fro&m"), "frameFrom", {tr("its centroid"), tr("a place")});
     addFrame(&FrameMotion::to, tr("T&o"), "frameTo", {tr("the same place"), tr("a place")});
     explain(bindNumber(
                 tr("&Whole turns"), "frameTurns",
@@ -323,6 +323,7 @@ class SingleVerticesSection : public SectionOf<HandleConstraint> {
     part.table = newVertexTable(*part.model, name, tr("%1 of single vertices").arg(spoken));
     addRow({}, part.table);
     connect(part.model, &VertexTableModel::refused, this, &InspectorSection::refused);
+    connect(part.model, &VertexTableModel::righted, this, &InspectorSection::righted);
     return part;
   }
 

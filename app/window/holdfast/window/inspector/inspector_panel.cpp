@@ -24,6 +24,7 @@ class InspectorPanel final : public RefreshedPanel {
     for (InspectorSection* section : sections_) {
       layout->addWidget(section);
       connect(section, &InspectorSection::refused, this, [this](const QString& why) { showRefusal(*reason_, why); });
+      connect(section, &InspectorSection::righted, reason_, &QWidget::hide);
     }
     layout->addStretch(1);
     int widest = 0;
@@ -53,12 +54,13 @@ class InspectorPanel final : public RefreshedPanel {
   {
     kind_ = named(new QLabel, "inspectorKind");
     name_ = named(new QLineEdit, "inspectorName", tr("Name of the constraint"));
-    enabled_ = named(new QCheckBox(tr("&Enabled")), "inspectorEnabled");
+    enabled_ = named(new QCheckBox(tr("Ena&bled")), "inspectorEnabled");
     reason_ = newText("inspectorRefusal");
     reason_->setVisible(false);
     reason_->setMargin(10);
     for (QWidget* widget : std::initializer_list<QWidget*>{kind_, name_, enabled_}) layout.addWidget(widget);
     connect(name_, &QLineEdit::editingFinished, this, &InspectorPanel::rename);
+    connect(name_, &QLineEdit::textEdited, reason_, &QWidget::hide);
     connect(enabled_, &QCheckBox::clicked, this, &InspectorPanel::enable);
   }
 

@@ -63,6 +63,7 @@ VectorEdit* InspectorSection::addVector(const QString& title, const QString& nam
 {
   auto* edit = named(new VectorEdit(name, spoken.isEmpty() ? QString(title).remove('&') : spoken, this), name);
   connect(edit, &VectorEdit::refused, this, &InspectorSection::refused);
+  connect(edit, &VectorEdit::righted, this, &InspectorSection::righted);
   addRow(title, edit);
   return edit;
 }
@@ -71,6 +72,7 @@ NumberEdit* InspectorSection::addNumber(const QString& title, const QString& nam
 {
   auto* edit = named(new NumberEdit(this), name, QString(title).remove('&'));
   connect(edit, &NumberEdit::refused, this, &InspectorSection::refused);
+  connect(edit, &NumberEdit::righted, this, &InspectorSection::righted);
   addRow(title, edit);
   return edit;
 }

@@ -36,6 +36,8 @@ class InspectorSection : public QWidget {
 
  Q_SIGNALS:
   void refused(const QString& reason);
+  /// What was refused is not there any more.
+  void righted();
 
  protected:
   virtual void refresh()

@@ -39,7 +39,7 @@ class LocationSection : public SectionOf<PointConstraint> {
                 [](const PointConstraint& point) { return static_cast<double>(kindOf(point.at)); },
                 [this](int kind) { chooseKind(static_cast<LocationKind>(kind)); }),
             tr("Another kind keeps the point as near as it can be"));
-    first_ = addNumber(tr("&Vertex"), "locationFirst");
+    first_ = addNumber(tr("Verte&x"), "locationFirst");
     second_ = addNumber(tr("and vertex"), "locationSecond");
     explain(bindNumber(
                 tr("&t"), "locationT",
@@ -101,7 +101,7 @@ class LocationSection : public SectionOf<PointConstraint> {
     setFieldVisible(first_, vertex != nullptr || edge != nullptr || face != nullptr);
     setFieldVisible(second_, edge != nullptr);
     setFieldVisible(weights_, face != nullptr);
-    titleOf(first_).setText(face != nullptr ? tr("&Face") : tr("&Vertex"));
+    titleOf(first_).setText(face != nullptr ? tr("F&ace") : tr("Verte&x"));
     if (vertex != nullptr) first_->replaceTyped(static_cast<double>(vertex->vertex));
     if (edge != nullptr) {
       first_->replaceTyped(static_cast<double>(edge->i));
@@ -134,6 +134,7 @@ class LocationSection : public SectionOf<PointConstraint> {
       weightLines_->addWidget(edit, k / kWeightsInLine, k % kWeightsInLine);
       connect(edit, &NumberEdit::entered, this, &LocationSection::takeWeights);
       connect(edit, &NumberEdit::refused, this, &InspectorSection::refused);
+      connect(edit, &NumberEdit::righted, this, &InspectorSection::righted);
       edit->show();
       QWidget::setTabOrder(before, edit);
       before = edit;
@@ -229,7 +230,7 @@ class TargetSection : public SectionOf<PointConstraint> {
         [](const PointConstraint& point) { return std::holds_alternative<Move>(point.to) ? ByShift : ToPlace; },
         [this](int way) { chooseWay(way); });
     bindVector(
-        tr("T&arget"), "targetPlace",
+        tr("Ta&rget"), "targetPlace",
         [this](const PointConstraint& point) -> std::optional<Vector3> {
           if (const Target* target = std::get_if<Target>(&point.to)) return target->place;
           const std::optional<Vector3> rest = restPlace(this->editor(), point.at);
@@ -244,7 +245,7 @@ class TargetSection : public SectionOf<PointConstraint> {
         },
         WithoutValue::Shown);
     bindVector(
-        tr("&Shift"), "targetShift",
+        tr("Sh&ift"), "targetShift",
         [](const PointConstraint& point) {
           const Move* move = std::get_if<Move>(&point.to);
           return move == nullptr ? std::nullopt : std::optional(move->shift);

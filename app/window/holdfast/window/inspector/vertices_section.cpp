@@ -14,7 +14,7 @@ class VerticesSection : public InspectorSection {
   {
     how_ = addText(tr("Selects"), "verticesHow");
     count_ = addText(tr("Holds"), "verticesCount");
-    select_ = named(new QPushButton(tr("Select its &vertices"), this), "verticesSelect");
+    select_ = named(new QPushButton(tr("Select its ver&tices"), this), "verticesSelect");
     addRow(QStringLiteral(""), select_);
     connect(select_, &QPushButton::clicked, this, &VerticesSection::selectThem);
   }

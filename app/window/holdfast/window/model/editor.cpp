@@ -365,17 +365,20 @@ const Annotations& Editor::annotations() const
 
 void Editor::setMeasurements(const QString& name, Measurements measurements)
 {
-  annotate(name, {annotations().selections, std::move(measurements)});
+  const bool areRulersSame = measurements.rulers == this->measurements().rulers;
+  annotate(name, {annotations().selections, std::move(measurements)},
+           areRulersSame ? EditKind::Aside : EditKind::OfDocument);
 }
 
 void Editor::setSavedSelections(const QString& name, std::vector<SavedSelection> selections)
 {
-  annotate(name, {std::move(selections), measurements()});
+  annotate(name, {std::move(selections), measurements()}, EditKind::OfDocument);
 }
 
-void Editor::annotate(const QString& name, Annotations after)
+void Editor::annotate(const QString& name, Annotations after, EditKind kind)
 {
-  history_->edit(name.toStdString(), {list(), state().options, std::make_shared<const Annotations>(std::move(after))});
+  history_->edit(name.toStdString(), {list(), state().options, std::make_shared<const Annotations>(std::move(after))},
+                 kind);
   // What is being solved is solved for this state as well.
   if (isCurrent()) {
     shown_.state = history_->state();

@@ -167,6 +167,7 @@ class Editor : public QObject {
   /// and needs no solution.
   [[nodiscard]] const Annotations& annotations() const;
   [[nodiscard]] const Measurements& measurements() const { return annotations().measurements; }
+  /// Where only probes differ, a saved document stays one.
   void setMeasurements(const QString& name, Measurements measurements);
   void setSavedSelections(const QString& name, std::vector<SavedSelection> selections);
   [[nodiscard]] const UnderCursor& underCursor() const noexcept { return underCursor_; }
@@ -198,7 +199,7 @@ class Editor : public QObject {
   void submit(Supersede supersede);
   void stateBecame(Supersede supersede);
   void stateIsAnother();
-  void annotate(const QString& name, Annotations after);
+  void annotate(const QString& name, Annotations after, EditKind kind);
   void tellState();
   void keepSelection();
   void showOrSubmit(Supersede supersede);

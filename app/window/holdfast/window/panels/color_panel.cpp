@@ -51,6 +51,7 @@ ColorPanel::ColorPanel(Editor& editor, QWidget* parent) : QWidget(parent), edito
   makeDisplayRows(*addGroup(tr("Shown beside the surface")));
   column->addStretch(1);
   fill(*this, newScrollArea(content, tr("Colours and what is shown")));
+  connect(&editor_, &Editor::opened, this, &ColorPanel::forgetFixedRanges);
   connect(&editor_, &Editor::opened, this, &ColorPanel::explain);
   connect(&editor_, &Editor::stateChanged, this, &ColorPanel::explain);
   setSettings({});
@@ -94,11 +95,7 @@ void ColorPanel::makeColorRows(QFormLayout& form)
   form.addRow(tr("&Number of colours"), bands_);
   form.addRow(tr("&Legend"), legend_);
 
-  connect(field_, kChosen, this, [this](int index) {
-    settings_.field = static_cast<ColorBy>(index);
-    explain();
-    Q_EMIT settingsChanged(settings_);
-  });
+  connect(field_, kChosen, this, &ColorPanel::chooseField);
   connect(rangeKind_, kChosen, this, &ColorPanel::chooseRangeKind);
   connect(map_, kChosen, this, [this] {
     settings_.map = static_cast<ColorMap>(map_->currentData().toInt());
@@ -121,6 +118,11 @@ QWidget* ColorPanel::makeFixedRange()
   for (NumberEdit* edit : {low_, high_}) {
     connect(edit, &NumberEdit::entered, this, &ColorPanel::takeRange);
     connect(edit, &NumberEdit::refused, this, &ColorPanel::refuse);
+    connect(edit, &NumberEdit::righted, this, [this] {
+      const QString reason = whyNotTyped();
+      // Nothing new is refused while the user types.
+      if (reason.isEmpty() || refusal_->isVisible()) refuse(reason);
+    });
   }
   return row;
 }
@@ -145,7 +147,7 @@ void ColorPanel::makeDisplayRows(QFormLayout& form)
   surface_->addItems({tr("Shaded"), tr("Wireframe"), tr("Points")});
   arrows_ = named(new QCheckBox(tr("Rotation &arrows")), "rotationArrows");
   arrows_->setToolTip(tr("Arrows along the axis of rotation; the right hand's fingers rotate as the surface does"));
-  constraints_ = named(new QCheckBox(tr("&Constraints")), "constraintGlyphs");
+  constraints_ = named(new QCheckBox(tr("Cons&traints")), "constraintGlyphs");
   share_ = named(new QSlider(Qt::Horizontal), "shownShare", tr("How much of the deformation is shown, percent"));
   share_->setRange(0, 100);
   share_->setValue(100);
@@ -161,9 +163,9 @@ void ColorPanel::makeDisplayRows(QFormLayout& form)
   auto* shareRow = new QWidget;
   newLayout<QHBoxLayout>(shareRow, 0, 6, {share_, percent})->setStretch(0, 1);
   form.addRow(tr("Sho&w"), shareRow);
-  form.addRow(tr("Shape at r&est"), rest_);
+  form.addRow(tr("Sha&pe at rest"), rest_);
   form.addRow(tr("Mesh e&dges"), edges_);
-  form.addRow(tr("&Surface"), surface_);
+  form.addRow(tr("S&urface"), surface_);
   form.addRow(QString(), arrows_);
   form.addRow(QString(), constraints_);
   for (QComboBox* box : {rest_, edges_, surface_}) connect(box, kChosen, this, &ColorPanel::takeDisplay);
@@ -193,8 +195,13 @@ void ColorPanel::setDisplaySettings(const DisplaySettings& settings)
 void ColorPanel::setSettings(const ColorSettings& settings)
 {
   const QSignalBlocker quiet(this);
+  // What these change by hand depends on what is set below.
+  const QSignalBlocker quietField(field_);
+  const QSignalBlocker quietKind(rangeKind_);
+  const QSignalBlocker quietDecades(decades_);
   field_->setCurrentIndex(static_cast<int>(settings.field));
   rangeKind_->setCurrentIndex(static_cast<int>(settings.range.index()));
+  rangeRows_->setCurrentIndex(rangeKind_->currentIndex());
   map_->setCurrentIndex(map_->findData(static_cast<int>(settings.map)));
   bands_->setValue(std::max(settings.bands, kSmooth));
   if (const auto* fixed = std::get_if<FixedRange>(&settings.range)) {
@@ -225,6 +232,31 @@ void ColorPanel::setShownScale(const std::optional<ColorScale>& scale)
   automatic_->setToolTip(scale ? range.arg(exactText(scale->low), exactText(scale->high)) : QString());
 }
 
+/// Numbers of a range are those of one field, in its unit.
+void ColorPanel::chooseField(int field)
+{
+  ColorSettings settings = settings_;
+  if (const auto* fixed = std::get_if<FixedRange>(&settings_.range)) {
+    fixedRanges_[settings_.field] = *fixed;
+    settings.range = AutomaticRange{};
+  }
+  settings.field = static_cast<ColorBy>(field);
+  if (const auto kept = fixedRanges_.find(settings.field); kept != fixedRanges_.end()) settings.range = kept->second;
+  setSettings(settings);
+  Q_EMIT settingsChanged(settings_);
+}
+
+/// They are of the document before.
+void ColorPanel::forgetFixedRanges()
+{
+  fixedRanges_.clear();
+  if (!std::holds_alternative<FixedRange>(settings_.range)) return;
+  ColorSettings settings = settings_;
+  settings.range = AutomaticRange{};
+  setSettings(settings);
+  Q_EMIT settingsChanged(settings_);
+}
+
 void ColorPanel::chooseRangeKind(int kind)
 {
   rangeRows_->setCurrentIndex(kind);
@@ -237,18 +269,31 @@ void ColorPanel::chooseRangeKind(int kind)
   takeRange();
 }
 
+std::optional<ColorRange> ColorPanel::typedRange() const
+{
+  if (rangeKind_->currentIndex() == kDecades) return LogarithmicRange{decades_->value()};
+  if (rangeKind_->currentIndex() != kFixed) return AutomaticRange{};
+  if (!low_->typed() || !high_->typed()) return std::nullopt;
+  return FixedRange{*low_->typed(), *high_->typed()};
+}
+
+/// Nothing as long as a number is missing: the line says that itself.
+QString ColorPanel::whyNotTyped() const
+{
+  const std::optional<ColorRange> range = typedRange();
+  const QString reason = range ? QString::fromStdString(whyNoRange(*range)) : QString();
+  return reason.isEmpty() ? reason : reason + '.';
+}
+
 void ColorPanel::takeRange()
 {
-  ColorRange range = AutomaticRange{};
-  if (rangeKind_->currentIndex() == kDecades) range = LogarithmicRange{decades_->value()};
-  if (rangeKind_->currentIndex() == kFixed) {
-    if (!low_->typed() || !high_->typed()) return;
-    range = FixedRange{*low_->typed(), *high_->typed()};
-  }
-  const QString reason = QString::fromStdString(whyNoRange(range));
-  refuse(reason.isEmpty() ? reason : reason + '.');
+  const std::optional<ColorRange> range = typedRange();
+  if (!range) return;
+  const QString reason = whyNotTyped();
+  refuse(reason);
   if (!reason.isEmpty()) return;
-  settings_.range = range;
+  if (!std::holds_alternative<FixedRange>(*range)) fixedRanges_.erase(settings_.field);
+  settings_.range = *range;
   Q_EMIT settingsChanged(settings_);
 }
 

@@ -10,6 +10,7 @@
 #include <QStackedWidget>
 #include <QWidget>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include <holdfast/widgets/scene/scene_contents.h>
@@ -49,7 +50,11 @@ class ColorPanel : public QWidget {
   [[nodiscard]] QWidget* makeFixedRange();
   [[nodiscard]] QWidget* makeLogarithmicRange();
   void explain();
+  void chooseField(int field);
+  void forgetFixedRanges();
   void chooseRangeKind(int kind);
+  [[nodiscard]] std::optional<ColorRange> typedRange() const;
+  [[nodiscard]] QString whyNotTyped() const;
   void takeRange();
   void takeDisplay();
   void refuse(const QString& reason);
@@ -57,6 +62,7 @@ class ColorPanel : public QWidget {
   Editor& editor_;
   ColorSettings settings_;
   std::optional<ColorScale> shownScale_;
+  std::map<ColorBy, FixedRange> fixedRanges_;  // of fields that were shown before
   QComboBox* field_ = nullptr;
   QLabel* explanation_ = nullptr;
   QComboBox* rangeKind_ = nullptr;

@@ -156,7 +156,7 @@ class ReportPanel final : public RefreshedPanel {
     report_->setHorizontalSpacing(10);
     report_->setVerticalSpacing(4);
     layout->addLayout(report_);
-    copy_ = named(new QPushButton(tr("&Copy as text")), "reportCopy");
+    copy_ = named(new QPushButton(tr("Copy as te&xt")), "reportCopy");
     connect(copy_, &QPushButton::clicked, this, &ReportPanel::copy);
     layout->addWidget(copy_, 0, Qt::AlignLeft);
     layout->addStretch(1);
@@ -191,8 +191,8 @@ class ReportPanel final : public RefreshedPanel {
     options_->setHorizontalSpacing(10);
     options_->setVerticalSpacing(6);
     options_->addRow(tr("&Weights"), weights_);
-    options_->addRow(tr("&Solver"), solver_);
-    options_->addRow(tr("Soft w&eight"), softWeight_);
+    options_->addRow(tr("S&olver"), solver_);
+    options_->addRow(tr("Soft wei&ght"), softWeight_);
     options_->addRow(tr("&Rotations"), rotations_);
     options_->addRow(tr("&Last change"), rotationChange_);
     connect(weights_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
@@ -200,8 +200,10 @@ class ReportPanel final : public RefreshedPanel {
     connect(rotations_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
     connect(softWeight_, &NumberEdit::entered, this, &ReportPanel::setSoftWeight);
     connect(softWeight_, &NumberEdit::refused, this, &ReportPanel::refuse);
+    connect(softWeight_, &NumberEdit::righted, this, &ReportPanel::refreshReport);
     connect(rotationChange_, &NumberEdit::entered, this, &ReportPanel::setRotationChange);
     connect(rotationChange_, &NumberEdit::refused, this, &ReportPanel::refuse);
+    connect(rotationChange_, &NumberEdit::righted, this, &ReportPanel::refreshReport);
   }
 
   void refresh() override

@@ -54,7 +54,7 @@ SpherePanel::SpherePanel(Editor& editor) : editor_(editor)
   setObjectName("spherePanel");
   summary_ = named(new QLabel, "sphereSummary");
   auto* fitButton = named(new QToolButton, "sphereFit");
-  fitButton->setText(tr("&Fit"));
+  fitButton->setText(tr("F&it"));
   fitButton->setToolTip(tr("Show everything that is prescribed (double click, Home)"));
   fitButton->setAutoRaise(true);
   auto* header = new QHBoxLayout;

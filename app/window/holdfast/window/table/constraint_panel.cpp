@@ -63,7 +63,13 @@ class ConstraintPanel : public QWidget {
     for (QWidget* widget : std::initializer_list<QWidget*>{table_, reason_, count_}) layout->addWidget(widget);
 
     connect(&model_, &Table::refused, this, [this](const QString& reason) { showRefusal(*reason_, reason); });
+    connect(&model_, &Table::righted, reason_, &QWidget::hide);
+    connect(table_, &ConstraintTable::editTakenBack, reason_, &QWidget::hide);
     connect(&editor_, &Editor::opened, this, [this] {
+      reason_->setVisible(false);
+      // What was looked for was in the document before.
+      text_->clear();
+      status_->setCurrentIndex(0);
       table_->horizontalScrollBar()->setValue(0);
       showSelection();
     });

@@ -1,12 +1,14 @@
 #include "holdfast/window/table/constraint_table.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QScrollBar>
 #include <QStyle>
 #include <QStyledItemDelegate>
+#include <algorithm>
 #include <optional>
 
 #include <holdfast/window/controls/panel_parts.h>
@@ -37,10 +39,17 @@ bool staysInSight(int column)
   return column == ConstraintTableModel::On || column == ConstraintTableModel::Name;
 }
 
-/// A number has as many digits as there is room for, and is never cut.
+/// A number has as many digits as there is room for, and is never cut: what is left of 55.673 would read as 5.673.
 class NumberCells : public QStyledItemDelegate {
  public:
-  using QStyledItemDelegate::QStyledItemDelegate;
+  explicit NumberCells(ConstraintTable& table) : QStyledItemDelegate(&table), table_(table) {}
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
+  {
+    QStyleOptionViewItem seen = option;
+    seen.rect = table_.seenPart(option.rect);
+    if (!seen.rect.isEmpty()) QStyledItemDelegate::paint(painter, seen, index);
+  }
 
  protected:
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
@@ -55,6 +64,9 @@ class NumberCells : public QStyledItemDelegate {
       return option->fontMetrics.horizontalAdvance(text) <= room;
     });
   }
+
+ private:
+  ConstraintTable& table_;
 };
 
 class PinnedColumns : public QTableView {
@@ -95,12 +107,16 @@ ConstraintTable::ConstraintTable(QWidget* parent) : QTableView(parent), pinned_(
   pinned_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   pinned_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setHorizontalScrollMode(ScrollPerPixel);
-  auto* numbers = new NumberCells(this);
+  auto* numbers = new NumberCells(*this);
   for (int column = ConstraintTableModel::X; column <= ConstraintTableModel::Force; ++column)
     setItemDelegateForColumn(column, numbers);
   connect(verticalScrollBar(), &QScrollBar::valueChanged, pinned_->verticalScrollBar(), &QScrollBar::setValue);
   connect(pinned_->verticalScrollBar(), &QScrollBar::valueChanged, verticalScrollBar(), &QScrollBar::setValue);
-  connect(horizontalScrollBar(), &QScrollBar::valueChanged, this, &ConstraintTable::placePinned);
+  connect(horizontalScrollBar(), &QScrollBar::valueChanged, this, [this] {
+    placePinned();
+    // Other parts of the cells at the edges are seen; Qt would shift their pictures.
+    viewport()->update();
+  });
   connect(pinned_->horizontalHeader(), &QHeaderView::sectionClicked, this, &ConstraintTable::cycleSorting);
   // In the table itself, which scrolls back for it.
   connect(pinned_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
@@ -152,6 +168,27 @@ void ConstraintTable::scrollTo(const QModelIndex& index, ScrollHint hint)
     horizontalScrollBar()->setValue(horizontalScrollBar()->value() - hidden);
 }
 
+QRect ConstraintTable::seenPart(QRect cell) const
+{
+  const int left = pinned_->isVisible() ? pinned_->width() : 0;
+  cell.setLeft(std::max(cell.left(), left));
+  cell.setRight(std::min(cell.right(), viewport()->width() - 1));
+  return cell;
+}
+
+void ConstraintTable::keyboardSearch(const QString& search)
+{
+  if (currentIndex().column() == ConstraintTableModel::Name) QTableView::keyboardSearch(search);
+}
+
+void ConstraintTable::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint)
+{
+  QTableView::closeEditor(editor, hint);
+  if (hint == QAbstractItemDelegate::RevertModelCache) Q_EMIT editTakenBack();
+  // In a table that is sorted the row has gone where the number belongs.
+  scrollTo(currentIndex());
+}
+
 void ConstraintTable::setEmptyText(const QString& text)
 {
   emptyText_ = text;
@@ -177,9 +214,20 @@ QAction* ConstraintTable::actionOf(const QKeyEvent& event) const
   return nullptr;
 }
 
+bool ConstraintTable::beginsNumber(const QKeyEvent& event) const
+{
+  const bool isPlain = (event.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+  const bool isOfNumber = event.text().size() == 1 && QStringLiteral("0123456789-.").contains(event.text());
+  const int column = currentIndex().column();
+  return isPlain && isOfNumber && state() != EditingState && column >= ConstraintTableModel::X &&
+         column <= ConstraintTableModel::Z && (currentIndex().flags() & Qt::ItemIsEditable) != 0;
+}
+
 bool ConstraintTable::event(QEvent* event)
 {
-  if (event->type() == QEvent::ShortcutOverride && actionOf(static_cast<QKeyEvent&>(*event)) != nullptr) {
+  // A menu may have the sign of a number as its key.
+  if (event->type() == QEvent::ShortcutOverride &&
+      (actionOf(static_cast<QKeyEvent&>(*event)) != nullptr || beginsNumber(static_cast<QKeyEvent&>(*event)))) {
     event->accept();
     return true;
   }
@@ -188,6 +236,12 @@ bool ConstraintTable::event(QEvent* event)
 
 void ConstraintTable::keyPressEvent(QKeyEvent* event)
 {
+  if (beginsNumber(*event)) {
+    edit(currentIndex());
+    // All of it is selected, and gives way.
+    if (QWidget* line = indexWidget(currentIndex())) QCoreApplication::sendEvent(line, event);
+    return;
+  }
   QAction* action = actionOf(*event);
   if (action == nullptr) return QTableView::keyPressEvent(event);
   action->trigger();

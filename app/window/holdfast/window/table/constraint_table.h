@@ -10,7 +10,7 @@ namespace holdfast {
 
 /// Keys of its actions work while it has the focus, whatever menus use them for. Clicks in cells that set a value keep
 /// a selection of several rows, because the value goes to all of them. Switch and name stay in sight at the left when
-/// the other columns are scrolled.
+/// the other columns are scrolled. The first character of a number begins to edit a cell of one.
 class ConstraintTable : public QTableView {
   Q_OBJECT
 
@@ -20,21 +20,29 @@ class ConstraintTable : public QTableView {
   void setModel(QAbstractItemModel* model) override;
   void setEmptyText(const QString& text);
   void scrollTo(const QModelIndex& index, ScrollHint hint = EnsureVisible) override;
+  /// Among the names alone: digits typed beside them would lead to the rows of any numbers.
+  void keyboardSearch(const QString& search) override;
+  /// The part of a cell that neither lies under the columns that stay nor beyond an edge.
+  [[nodiscard]] QRect seenPart(QRect cell) const;
 
  Q_SIGNALS:
   /// A title was clicked for the first, the second or the third time: the third returns to the order of precedence, -1.
   void sortAsked(int column, Qt::SortOrder order);
+  /// A cell is edited no more, and has what it had.
+  void editTakenBack();
 
  protected:
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void updateGeometries() override;
+  void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
   [[nodiscard]] QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
                                                                      const QEvent* event) const override;
 
  private:
   [[nodiscard]] QAction* actionOf(const QKeyEvent& event) const;
+  [[nodiscard]] bool beginsNumber(const QKeyEvent& event) const;
   void cycleSorting(int column);
   void placePinned();
 

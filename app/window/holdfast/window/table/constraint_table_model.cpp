@@ -243,6 +243,7 @@ bool ConstraintTableModel::rename(Index row, const QString& name)
 {
   try {
     renameConstraint(editor_, row, name);
+    Q_EMIT righted();
     return true;
   } catch (const InputError& error) {
     Q_EMIT refused(QString::fromStdString(error.reason()));
@@ -257,6 +258,7 @@ bool ConstraintTableModel::setCoordinate(const Rows& rows, int column, const QSt
     Q_EMIT refused(notANumber(typed));
     return false;
   }
+  Q_EMIT righted();
   const Index axis = column - X;
   const QString name = tr("move %1 to %2 = %3").arg(subjectOf(editor_, rows), axisText(column - X), exactText(*value));
   changeConstraints(editor_, name, rows, [&](Constraint constraint) -> std::optional<Constraint> {

@@ -52,6 +52,8 @@ class ConstraintTableModel : public QAbstractTableModel {
 
  Q_SIGNALS:
   void refused(const QString& reason);
+  /// What was typed is taken, be it what was there.
+  void righted();
 
  private:
   [[nodiscard]] const Constraint& constraint(int row) const { return shown_->list.constraints[row]; }

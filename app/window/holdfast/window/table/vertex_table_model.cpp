@@ -80,6 +80,7 @@ bool VertexTableModel::setData(const QModelIndex& index, const QVariant& value, 
     Q_EMIT refused(notANumber(value.toString()));
     return false;
   }
+  Q_EMIT righted();
   if (!hasSameBits(*typed, number(index.row(), index.column()))) Q_EMIT entered(index.row(), index.column(), *typed);
   return true;
 }

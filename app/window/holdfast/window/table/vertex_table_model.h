@@ -34,6 +34,8 @@ class VertexTableModel : public QAbstractTableModel {
  Q_SIGNALS:
   void entered(int row, int column, double number);
   void refused(const QString& reason);
+  /// A number was typed.
+  void righted();
 
  private:
   [[nodiscard]] const HandleConstraint& handle() const;

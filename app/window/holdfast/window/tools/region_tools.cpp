@@ -44,6 +44,7 @@ class RegionTool : public ToolOf<RegionWidget> {
     return hints[static_cast<std::size_t>(widget().GetShape())];
   }
 
+  void leave() override { widget().HideCircle(); }
   bool cancel() override { return widget().Cancel(); }
 
  private:

@@ -60,8 +60,8 @@ class CommandDialog : public QDialog {
                          [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
     };
     list_->clear();
-    QTreeWidgetItem* first = nullptr;
-    int firstRank = 0;
+    QTreeWidgetItem* best = nullptr;
+    int bestRank = 0;
     for (int k = 0; k < commands_.size(); ++k) {
       const auto& [name, key, action] = commands_[k];
       const QString tip = action != nullptr ? action->toolTip() : QString();
@@ -70,15 +70,17 @@ class CommandDialog : public QDialog {
       item->setData(0, Qt::UserRole, k);
       item->setToolTip(0, tip);
       if (action != nullptr) item->setDisabled(!action->isEnabled());
-      if (action == nullptr || !action->isEnabled()) continue;
+      if (action == nullptr) continue;
       // What is called so goes before what is in such a menu, and that before what only speaks of it.
       const int rank = hasAll(action->text().remove('&')) ? 0 : hasAll(name) ? 1 : 2;
-      if (first != nullptr && rank >= firstRank) continue;
-      first = item;
-      firstRank = rank;
+      const bool isBetter = best == nullptr || rank < bestRank;
+      if (!isBetter && (rank > bestRank || !best->isDisabled() || item->isDisabled())) continue;
+      best = item;
+      bestRank = rank;
     }
-    list_->setCurrentItem(first);
-    if (first != nullptr) list_->scrollToItem(first);
+    // Where what is meant cannot be done now, Enter does nothing else in its place.
+    list_->setCurrentItem(best == nullptr || best->isDisabled() ? nullptr : best);
+    if (best != nullptr) list_->scrollToItem(best);
   }
 
   void choose()

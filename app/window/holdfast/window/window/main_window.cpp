@@ -15,8 +15,10 @@
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/controls/icons.h>
+#include <holdfast/window/controls/open_dialog.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/theme.h>
+#include <holdfast/window/controls/wheel_guard.h>
 #include <holdfast/window/files/recent_files.h>
 #include <holdfast/window/files/start_page.h>
 #include <holdfast/window/viewport/view_state.h>
@@ -73,6 +75,7 @@ MainWindow::MainWindow()
   setWindowIcon(programIcon());
   setAcceptDrops(true);
   QApplication::instance()->installEventFilter(this);
+  QApplication::instance()->installEventFilter(new WheelGuard(this));
   setCentralWidget(viewport_);
   viewport_->setFirstTool(gizmo_);
   new StartPage(editor_, files_, viewport_);
@@ -144,7 +147,7 @@ void MainWindow::connectFiles()
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-  if (localFiles(*event->mimeData()).isEmpty()) return;
+  if (localFiles(*event->mimeData()).isEmpty() || isDialogOpen()) return;
   // Never a move, which would delete the file at its source.
   event->setDropAction(Qt::CopyAction);
   event->accept();
@@ -155,7 +158,9 @@ void MainWindow::dropEvent(QDropEvent* event)
   event->setDropAction(Qt::CopyAction);
   event->accept();
   // The program that the files come from waits until this returns; questions may take longer.
-  QTimer::singleShot(0, this, [this, paths = localFiles(*event->mimeData())] { take(paths); });
+  QTimer::singleShot(0, this, [this, paths = localFiles(*event->mimeData())] {
+    whenNoDialogIsOpen(*this, [this, paths] { take(paths); });
+  });
 }
 
 /// One document is open at a time, and a list belongs to it: takes the first document, else the first list.
@@ -219,7 +224,8 @@ void MainWindow::showEvent(QShowEvent* event)
   if (event->spontaneous()) return;
   panels_->share(size());
   if (remembered_) rememberLayout();
-  if (autosave_) QTimer::singleShot(0, this, [this] { autosave_->offerRecovery(); });
+  if (!autosave_) return;
+  QTimer::singleShot(0, this, [this] { whenNoDialogIsOpen(*this, [this] { autosave_->offerRecovery(); }); });
 }
 
 void MainWindow::remember()
