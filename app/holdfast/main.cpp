@@ -2,13 +2,17 @@
 
 #include <QApplication>
 #include <QMessageBox>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
 #include <QScreen>
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <clocale>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <QVTKOpenGLNativeWidget.h>
@@ -25,6 +29,9 @@ namespace {
 // As those of holdfast-batch.
 constexpr int kUsage = 2;
 constexpr int kNoDisplay = 3;
+
+// As VTK needs it.
+constexpr QPair<int, int> kLeastOpenGl(3, 2);
 
 /// Reports what no code has caught, a mistake of ours or of the machine; the document is still there.
 class Application : public QApplication {
@@ -46,6 +53,42 @@ class Application : public QApplication {
   }
 };
 
+/// Ends the process where Qt finds nothing to draw on.
+bool hasOpenGl(int argc, char** argv)
+{
+  const QGuiApplication application(argc, argv);
+  QOffscreenSurface surface;
+  surface.create();
+  QOpenGLContext context;
+  return context.create() && context.makeCurrent(&surface) && context.format().version() >= kLeastOpenGl;
+}
+
+/// Whether Qt can draw as it is asked to, or on a Wayland compositor that it does not look for by itself.
+bool findOpenGl(int argc, char** argv)
+{
+  const auto isThere = [&] { return succeedsInChild([&] { return hasOpenGl(argc, argv); }); };
+  if (isThere()) return true;
+  if (qEnvironmentVariableIsSet("QT_QPA_PLATFORM") || qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) return false;
+  qputenv("QT_QPA_PLATFORM", "wayland");
+  return isThere();
+}
+
+std::string valueOf(const char* variable)
+{
+  const char* const value = std::getenv(variable);
+  return std::string(variable) + (value == nullptr ? " is not set" : " is \"" + std::string(value) + '"');
+}
+
+int refuseToStart()
+{
+  std::fprintf(
+      stderr,
+      "holdfast: the window needs an X server or a Wayland compositor with OpenGL %d.%d, and Qt finds none: %s, "
+      "%s. Set one of them, or run under xvfb-run\nholdfast: holdfast-batch works without a window.\n",
+      kLeastOpenGl.first, kLeastOpenGl.second, valueOf("DISPLAY").c_str(), valueOf("WAYLAND_DISPLAY").c_str());
+  return kNoDisplay;
+}
+
 int run(int argc, char** argv)
 {
   letOthersComputeInBackground();
@@ -59,11 +102,8 @@ int run(int argc, char** argv)
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kUsage;
   }
-  if (const std::string reason = whyNoPictures(); !reason.empty()) {
-    std::fprintf(stderr, "holdfast: %s\nholdfast: holdfast-batch works without a window.\n", reason.c_str());
-    return kNoDisplay;
-  }
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  if (!findOpenGl(argc, argv)) return refuseToStart();
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);

@@ -19,7 +19,7 @@ namespace {
 constexpr unsigned kPatienceSeconds = 30;
 
 /// The child: quiet, without a core file, and free of what the parent does on signals.
-[[noreturn]] void tryToDraw()
+[[noreturn]] void tryInChild(const std::function<bool()>& attempt)
 {
   const rlimit none{0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
@@ -29,6 +29,12 @@ constexpr unsigned kPatienceSeconds = 30;
     ::dup2(nowhere, STDOUT_FILENO);
     ::dup2(nowhere, STDERR_FILENO);
   }
+  ::_exit(attempt() ? EXIT_SUCCESS : EXIT_FAILURE);
+}
+
+/// Ends the process where there is no X server or no OpenGL.
+bool draws()
+{
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   window->SetOffScreenRendering(1);
@@ -36,13 +42,15 @@ constexpr unsigned kPatienceSeconds = 30;
   window->SetSize(8, 8);
   window->AddRenderer(renderer);
   window->Render();
-  ::_exit(EXIT_SUCCESS);
+  return true;
 }
 
-bool canDraw()
+}  // namespace
+
+bool succeedsInChild(const std::function<bool()>& attempt)
 {
   const pid_t child = ::fork();
-  if (child == 0) tryToDraw();
+  if (child == 0) tryInChild(attempt);
   if (child < 0) return false;
   int status = 0;
   while (::waitpid(child, &status, 0) < 0)
@@ -50,14 +58,12 @@ bool canDraw()
   return WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS;
 }
 
-}  // namespace
-
 std::string whyNoPictures()
 {
   const char* const display = std::getenv("DISPLAY");
   if (display == nullptr || *display == '\0')
     return "pictures need an X server, and DISPLAY is not set: run under xvfb-run, or set DISPLAY";
-  if (!canDraw())
+  if (!succeedsInChild(draws))
     return "pictures need an X server with OpenGL, and \"" + std::string(display) +
            "\" (DISPLAY) is none: run under xvfb-run, or set DISPLAY to one that is";
   return {};

@@ -91,7 +91,10 @@ Picture averaged(const vtkUnsignedCharArray& drawn, const PictureSize& size, int
 }  // namespace
 
 Scene::Scene(const Model& model, const DeformResult& deformation, const SceneOptions& options)
-    : size_(options.size), pixelRatio_(pixelRatioOf(size_)), contents_(model)
+    : size_(options.size),
+      pixelRatio_(pixelRatioOf(size_)),
+      contents_(model),
+      window_(options.window ? options.window : vtkSmartPointer<vtkRenderWindow>::New())
 {
   window_->SetOffScreenRendering(1);
   window_->SetMultiSamples(0);

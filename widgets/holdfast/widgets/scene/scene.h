@@ -8,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 
 #include <holdfast/widgets/scene/scene_contents.h>
 
@@ -47,10 +48,12 @@ struct SceneOptions {
   std::string units;  ///< the user's name of the model's length; may be empty
   /// In the place of what `colorBy` would make: colours over a range or of a map that a user has chosen.
   std::optional<Coloring> coloring = std::nullopt;
+  /// In the place of VTK's own window, which needs an X server with OpenGL: see `whyNoPictures`. Null: that one.
+  vtkSmartPointer<vtkRenderWindow> window = nullptr;
 };
 
 /// The deformed surface with its sharp edges, those of the rest shape in faint lines, the constraints, the legend; in a
-/// window that is never shown. Needs an X server with OpenGL: ask `whyNoPictures` first. Drawn by `draw`.
+/// window that is never shown. Drawn by `draw`.
 class Scene {
  public:
   Scene(const Model& model, const DeformResult& deformation, const SceneOptions& options);
@@ -75,7 +78,7 @@ class Scene {
   PictureSize size_;
   int pixelRatio_;
   SceneContents contents_;
-  vtkNew<vtkRenderWindow> window_;
+  vtkSmartPointer<vtkRenderWindow> window_;
   vtkNew<vtkRenderer> backdrop_;  // the background and the legend, under the mesh
   vtkNew<vtkRenderer> meshRenderer_;
 };

@@ -8,11 +8,12 @@
 
 #include <QVTKRenderWindowAdapter.h>
 #include <vtkCommand.h>
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkInteractorStyle.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLState.h>
+
+#include <holdfast/widgets/scene/context_window.h>
 
 namespace holdfast {
 namespace {
@@ -21,10 +22,10 @@ namespace {
 constexpr double kNotch = 120;
 
 /// VTK copies one framebuffer to the other; this exchanges them. The back buffer holds an older picture afterwards.
-class ExchangingWindow : public vtkGenericOpenGLRenderWindow {
+class ExchangingWindow : public ContextWindow {
  public:
   static ExchangingWindow* New();
-  vtkTypeMacro(ExchangingWindow, vtkGenericOpenGLRenderWindow)
+  vtkTypeMacro(ExchangingWindow, ContextWindow)
 
   void Frame() override
   {

@@ -26,6 +26,7 @@
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/files/poly_data_file.h>
 #include <holdfast/widgets/scene/scene.h>
+#include <holdfast/window/controls/offscreen_window.h>
 #include <holdfast/window/controls/open_dialog.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/files/bundled_files.h>
@@ -66,6 +67,7 @@ QImage pictureOf(const Model& model, const DeformResult& deformation, const Pict
   options.legend = Legend::Hidden;
   options.colorBy = ColorBy::None;
   options.coloring = view.coloring;
+  options.window = newOffscreenWindow();
   Scene scene(model, deformation, options);
   if (view.arrange) view.arrange(scene.contents());
   if (view.camera) {
