@@ -1,5 +1,6 @@
 #include "holdfast/widgets/scene/kept_scene.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -116,6 +117,32 @@ TEST_F(KeptBox, EdgesAreSmoothedOnceWhateverIsDrawnAbove)
   for (std::size_t k = 0; k < rough.size(); ++k) changed += rough[k] != smooth[k] ? 1 : 0;
   EXPECT_GT(changed, 1500) << "of " << rough.size();
   EXPECT_LT(changed, static_cast<int>(rough.size()) / 8);
+}
+
+TEST_F(KeptBox, SharpEdgesStaySolidWhenTheyAreSmoothed)
+{
+  constexpr int kDark = 90;
+  constexpr int kFaint = 40;
+  actor->VisibilityOff();
+  scene->SetBackground(1, 1, 1);
+  scene->GetActiveCamera()->Azimuth(25);
+  scene->GetActiveCamera()->Elevation(20);
+  const Colors rough = drawnWhole();
+  const Colors smooth = drawnAbove();
+  const int width = window->GetSize()[0];
+  const auto green = [&](const Colors& colors, int x, int y) { return int{colors[3 * (y * width + x) + 1]}; };
+  int lines = 0;
+  int faint = 0;
+  for (int y = 1; y + 1 < window->GetSize()[1]; ++y)
+    for (int x = 1; x + 1 < width; ++x) {
+      if (green(rough, x, y) >= kDark) continue;
+      int darkest = 255;
+      for (int k = 0; k < 9; ++k) darkest = std::min(darkest, green(smooth, x + k % 3 - 1, y + k / 3 - 1));
+      ++lines;
+      faint += darkest > green(rough, x, y) + kFaint ? 1 : 0;
+    }
+  EXPECT_GT(lines, 200);
+  EXPECT_LT(faint, lines / 50) << "of " << lines;
 }
 
 TEST_F(KeptBox, WhatIsNotKeptIsNotSmoothed)

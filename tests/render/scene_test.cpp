@@ -248,6 +248,37 @@ TEST(Scene, SmallestPictureCanBeDrawn)
   EXPECT_EQ(drawnScene(scene).pixels.size(), 3U * kLeastPictureSide * kLeastPictureSide);
 }
 
+/// The bent slab with one value everywhere, on a scale that a user has typed.
+Picture drawnWithValue(const Bent& bent, double value, double low, double high, int bands)
+{
+  Scene scene = sceneOf(bent, ColorBy::None);
+  const auto vertices = static_cast<std::size_t>(bent.model.mesh.vertexCount());
+  Coloring coloring = withRange({std::vector<double>(vertices, value), {}}, FixedRange{low, high});
+  coloring.scale.bands = bands;
+  scene.contents().color(coloring);
+  return drawnScene(scene);
+}
+
+TEST(Scene, AFieldThatIsWhereTwoBandsMeetHasNoStripes)
+{
+  const Bent bent;
+  for (const int bands : {2, 4, 10, 64})
+    EXPECT_EQ(drawnWithValue(bent, 0, -1, 1, bands).pixels, drawnWithValue(bent, 0.5 / bands, -1, 1, bands).pixels)
+        << bands;
+  for (const double border : {1.0, 2.0, 4.0})
+    EXPECT_EQ(drawnWithValue(bent, border, 0, 5, 5).pixels, drawnWithValue(bent, border + 0.5, 0, 5, 5).pixels)
+        << border;
+}
+
+TEST(Scene, ValuesAtTheEndsOfARangeAreInside)
+{
+  const Bent bent;
+  EXPECT_EQ(drawnWithValue(bent, 0, 0, 5, 5).pixels, drawnWithValue(bent, 0.5, 0, 5, 5).pixels);
+  EXPECT_EQ(drawnWithValue(bent, 5, 0, 5, 5).pixels, drawnWithValue(bent, 4.5, 0, 5, 5).pixels);
+  EXPECT_NE(drawnWithValue(bent, 5.1, 0, 5, 5).pixels, drawnWithValue(bent, 4.5, 0, 5, 5).pixels);
+  EXPECT_NE(drawnWithValue(bent, -0.1, 0, 5, 5).pixels, drawnWithValue(bent, 0.5, 0, 5, 5).pixels);
+}
+
 // What the comparison must not let pass.
 
 TEST(ComparisonMustFail, ForAnotherColorMap)

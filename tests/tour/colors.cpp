@@ -20,7 +20,7 @@ void colors(TourWindow& tour)
     tour.picture(fmt::format("coloured_by_{}", colorByNames()[field]));
   }
   tour.choose("colorField", static_cast<int>(ColorBy::Displacement));
-  tour.choose("colorMap", 2);
+  tour.choose("colorMap", 3);
   tour.choose("colorRangeKind", kFixed);
   tour.enter("colorLow", "10");
   tour.enter("colorHigh", "60");

@@ -165,6 +165,93 @@ TEST(ColorScale, HasBandsOfOneColorEachFromEndToEndOfItsMap)
   EXPECT_EQ(drawn.size(), 4U);
 }
 
+TEST(ColorScale, NoValueOfABorderIsBetweenTwoColorsOfTheTable)
+{
+  for (const Outside outside : {Outside::AsEnds, Outside::Marked})
+    for (int bands = 2; bands <= kMostBands; ++bands)
+      for (int k = 0; k <= bands; ++k) {
+        ColorScale scale{"", Scaling::Linear, 0, static_cast<double>(bands)};
+        scale.bands = bands;
+        scale.outside = outside;
+        // Without marks the ends have no colour beyond them.
+        if (outside == Outside::AsEnds && (k == 0 || k == bands)) continue;
+        const int colors = toLookupTable(scale)->GetNumberOfTableValues();
+        const double place = tablePlace(scale, k) * colors;
+        EXPECT_GT(std::abs(place - std::round(place)), 1e-3) << k << " of " << bands;
+      }
+}
+
+TEST(ColorScale, TheValueWhereTwoBandsMeetIsOfTheUpperOneInTheTableToo)
+{
+  for (int bands = 2; bands <= kMostBands; ++bands) {
+    ColorScale scale{"", Scaling::Linear, -1, 1};
+    scale.bands = bands;
+    const auto table = toLookupTable(scale);
+    for (int k = 1; k < bands; ++k) {
+      const double value = -1 + 2.0 * k / bands;
+      const Color color = mapColor(k / (bands - 1.0));
+      const unsigned char* const drawn = table->MapValue(tablePlace(scale, value + 1e-12));
+      EXPECT_NEAR(drawn[0], 255 * color.red, 1) << k << " of " << bands;
+      EXPECT_NEAR(drawn[1], 255 * color.green, 1) << k << " of " << bands;
+    }
+  }
+}
+
+TEST(ColorScale, MarksWhatIsBelowAndBeyondItsEnds)
+{
+  ColorScale scale{"", Scaling::Linear, 2, 6};
+  EXPECT_EQ(colorOf(scale, 1.9), colorOf(scale, 2)) << "not by itself";
+  scale.outside = Outside::Marked;
+  EXPECT_EQ(colorOf(scale, 1.9), kBelowColor);
+  EXPECT_EQ(colorOf(scale, 6.1), kBeyondColor);
+  EXPECT_EQ(colorOf(scale, 2), mapColor(0));
+  EXPECT_EQ(colorOf(scale, 6), mapColor(1));
+  const auto drawn = [&](double value) {
+    const auto table = toLookupTable(scale);
+    const unsigned char* const color = table->MapValue(tablePlace(scale, value));
+    return std::array{color[0] / 255.0, color[1] / 255.0, color[2] / 255.0};
+  };
+  for (const auto& [value, color] :
+       {std::pair(1.9, kBelowColor), {6.1, kBeyondColor}, {2.0, mapColor(0)}, {6.0, mapColor(1)}}) {
+    EXPECT_NEAR(drawn(value)[0], color.red, 0.01) << value;
+    EXPECT_NEAR(drawn(value)[1], color.green, 0.01) << value;
+    EXPECT_NEAR(drawn(value)[2], color.blue, 0.01) << value;
+  }
+}
+
+TEST(ColorScale, MarksResidualsOfZeroOnALogarithmicScale)
+{
+  ColorScale scale{"", Scaling::Logarithmic, 1e-6, 1e-2};
+  scale.outside = Outside::Marked;
+  EXPECT_LT(tablePlace(scale, 0), 0);
+  EXPECT_LT(tablePlace(scale, 1e-7), 0);
+  EXPECT_GT(tablePlace(scale, 1), 1);
+}
+
+TEST(ColorMap, NoMapHasTheColorsOutsideItsScale)
+{
+  for (const Color& color : {kBelowColor, kBeyondColor})
+    for (const ColorMap map : kMaps)
+      for (int k = 0; k <= kSteps; ++k) {
+        EXPECT_GT(distance(labAt(k, map), toLab(color)), 30) << "map " << static_cast<int>(map) << ", step " << k;
+        const auto seen = [](const Color& of) { return toLab(test::seenBy(test::Vision::WithoutGreen, of)); };
+        EXPECT_GT(distance(seen(mapColor(k / double{kSteps}, map)), seen(color)), 15)
+            << static_cast<int>(map) << ", " << k;
+      }
+}
+
+TEST(ColorScale, OfSignedValuesHasWhiteAtZeroWhereverItsEndsAre)
+{
+  for (const auto& [low, high] : {std::pair(-1.0, 1.0), {-1.0, 3.0}, {-5.0, 0.5}, {0.0, 2.0}, {-2.0, 0.0}}) {
+    ColorScale scale{"", Scaling::Linear, low, high};
+    scale.map = ColorMap::BlueWhiteRed;
+    scale.isSigned = true;
+    EXPECT_LT(distance(toLab(colorOf(scale, 0)), {96, 0, 0}), 1) << low << " to " << high;
+    const double reach = std::max(-low, high);
+    EXPECT_LT(distance(toLab(colorOf(scale, high)), toLab(mapColor(0.5 + high / (2 * reach), scale.map))), 0.01);
+  }
+}
+
 TEST(ColorScale, EndsAndMiddleOfALinearScale)
 {
   const ColorScale scale{"", Scaling::Linear, 2, 6, {}};
@@ -268,6 +355,38 @@ TEST(LegendTicks, OfDegreesArePartsOfATurnOrTurns)
   EXPECT_EQ(lastAndCount(720), std::pair(std::string("720"), std::size_t{5}));
   EXPECT_EQ(lastAndCount(3600), std::pair(std::string("3600"), std::size_t{6}));
   EXPECT_EQ(lastAndCount(4), std::pair(std::string("4"), std::size_t{5}));
+}
+
+TEST(LegendTicks, OfBandsAreWhereColorsChange)
+{
+  const auto ticksOfBands = [](double low, double high, int bands) {
+    ColorScale scale{"", Scaling::Linear, low, high};
+    scale.bands = bands;
+    std::vector<std::string> texts;
+    for (const Tick& tick : ticksOf(scale)) {
+      const double border = (tick.value - low) / (high - low) * bands;
+      EXPECT_NEAR(border, std::round(border), 1e-9) << tick.text << " of " << bands;
+      EXPECT_NEAR(std::stod(tick.text), tick.value, 0.01 * (high - low) / bands) << tick.text;
+      texts.push_back(tick.text);
+    }
+    return texts;
+  };
+  EXPECT_EQ(ticksOfBands(-0.1, 0.1, 6),
+            (std::vector<std::string>{"-0.1", "-0.0667", "-0.0333", "0", "0.0333", "0.0667", "0.1"}));
+  EXPECT_EQ(ticksOfBands(0, 4.37, 2), (std::vector<std::string>{"0", "2.19", "4.37"}));
+  EXPECT_EQ(ticksOfBands(1000, 1001, 4), (std::vector<std::string>{"1000", "1000.25", "1000.5", "1000.75", "1001"}));
+  EXPECT_EQ(ticksOfBands(-3, 3, 20).size(), 11U) << "every second one, the ends and zero among them";
+  EXPECT_LE(ticksOfBands(0, 1, kMostBands).size(), 11U);
+}
+
+TEST(LegendTicks, OfLogarithmicBandsAreWhereColorsChange)
+{
+  ColorScale scale{"", Scaling::Logarithmic, 1e-6, 1};
+  scale.bands = 3;
+  const auto ticks = ticksOf(scale);
+  ASSERT_EQ(ticks.size(), 4);
+  EXPECT_EQ(ticks[1].text, "0.0001");
+  EXPECT_NEAR(ticks[2].value, 1e-2, 1e-12);
 }
 
 TEST(LegendTicks, OfLogarithmsArePowersOfTen)

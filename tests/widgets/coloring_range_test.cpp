@@ -25,7 +25,8 @@ TEST(ColoringRange, FixedEndsAreTaken)
 {
   const Coloring coloring = withRange(sample(), FixedRange{-5, 10});
   EXPECT_EQ(colorOf(coloring.scale, 2.5), mapColor(0.5));
-  EXPECT_EQ(colorOf(coloring.scale, coloring.values[3]), mapColor(1));
+  EXPECT_EQ(colorOf(coloring.scale, 10), mapColor(1));
+  EXPECT_EQ(colorOf(coloring.scale, coloring.values[3]), kBeyondColor);
   EXPECT_EQ(colorOf(coloring.scale, coloring.values[1]), kNoValueColor);
 }
 

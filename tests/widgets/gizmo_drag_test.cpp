@@ -265,7 +265,7 @@ TEST(GizmoDrag, TakesTypedValuesExactly)
 TEST(GizmoDrag, IsToldInWords)
 {
   const auto told = [](GizmoPart part, double amount, const RoundStep& step, const std::string& units) {
-    return motionText(part, {{}, {}, amount, amount}, step, units);
+    return motionText(part, {{}, Vector3::UnitX(), amount, amount}, step, units);
   };
   EXPECT_EQ(told(GizmoPart::ArrowX, 12.5, {5, -1}, "mm"), "12.5 mm");
   EXPECT_EQ(told(GizmoPart::ArrowX, -12.5, {5, 0}, ""), "-12");
@@ -273,6 +273,8 @@ TEST(GizmoDrag, IsToldInWords)
   EXPECT_EQ(told(GizmoPart::SquareX, 1.5e-9, {1, -10}, "m"), "1.5e-09 m");
   EXPECT_EQ(told(GizmoPart::RingX, 30, {5, -1}, "mm"), "30.0°");
   EXPECT_EQ(told(GizmoPart::ViewRing, -0.01, {5, -1}, "mm"), "0.0°");
+  EXPECT_EQ(motionText(GizmoPart::ViewRing, {{}, Vector3(0.6, 1e-17, -0.8), 45, 0}, {5, -1}, "mm"),
+            "45.0° about (0.6, 0, -0.8)");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/color/coloring.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
+#include <holdfast/widgets/scene/scene_contents.h>
 
 #include "support/meshes.h"
 #include "support/point_constraints.h"
@@ -174,6 +175,89 @@ TEST(Coloring, ChangesOfAreaAndLengthArePercent)
   const auto values = [&](ColorBy field) { return coloringOf(model, grown, field, "mm")->values; };
   for (const double value : values(ColorBy::AreaChange)) EXPECT_NEAR(value, 21, 1e-9);
   for (const double value : values(ColorBy::EdgeChange)) EXPECT_NEAR(value, 10, 1e-9);
+}
+
+TEST(Coloring, SignedFieldsAreWhiteAtZeroByThemselves)
+{
+  const Model model = makeModel(test::icosphere(2), "sphere");
+  DeformResult grown = deform(model, test::listOf({test::hold({0})}));
+  grown.positions *= 1.1;
+  for (const ColorBy field : {ColorBy::DisplacementX, ColorBy::DisplacementNormal, ColorBy::AreaChange})
+    EXPECT_TRUE(isTwoSided(coloringOf(model, grown, field, "")->scale.map));
+  for (const ColorBy field : {ColorBy::Displacement, ColorBy::Angle, ColorBy::Detail})
+    EXPECT_FALSE(isTwoSided(coloringOf(model, grown, field, "")->scale.map));
+  const Coloring powers = withRange(*coloringOf(model, grown, ColorBy::AreaChange, ""), LogarithmicRange{3});
+  EXPECT_FALSE(isTwoSided(powers.scale.map)) << "powers of ten are on one side of 0";
+}
+
+/// A box whose top is twice as large as at rest: its sides lean.
+struct GrownBox {
+  Model model = makeModel(test::box({2, 2, 2}, 4), "box");
+  DeformResult grown = deform(model, test::listOf({test::hold({0})}));
+  ShadedSurface shaded = cutAtSharpEdges(model);
+  CutSurface cut = cutSurfaceOf(shaded);
+
+  GrownBox()
+  {
+    grown.positions = model.mesh.positions;
+    for (Index v = 0; v < grown.positions.rows(); ++v)
+      if (grown.positions(v, 2) == 2) grown.positions.row(v).head<2>() *= 2;
+  }
+
+  [[nodiscard]] bool isOn(Index triangle, double height) const
+  {
+    return std::ranges::all_of(model.triangulation.triangles[triangle],
+                               [&](Index v) { return model.mesh.positions(v, 2) == height; });
+  }
+
+  /// The values of all points of the top, and of the bottom.
+  [[nodiscard]] std::vector<double> valuesAt(double height, ColorBy field) const
+  {
+    const std::vector<double> values = pointValuesOf(model, grown, field, cut);
+    std::vector<double> found;
+    for (Index t = 0; t < shaded.triangles.size(); ++t)
+      if (isOn(t, height))
+        for (const Index point : shaded.triangles[t]) found.push_back(values[point]);
+    return found;
+  }
+};
+
+TEST(Coloring, ChangesAreCrispAtSharpEdges)
+{
+  const GrownBox box;
+  for (const double value : box.valuesAt(2, ColorBy::AreaChange)) EXPECT_NEAR(value, 300, 1e-9);
+  for (const double value : box.valuesAt(2, ColorBy::EdgeChange)) EXPECT_NEAR(value, 100, 1e-9);
+  for (const double value : box.valuesAt(0, ColorBy::AreaChange)) EXPECT_EQ(value, 0);
+  EXPECT_FALSE(box.valuesAt(2, ColorBy::AreaChange).empty());
+}
+
+TEST(Coloring, WaysAlongNormalsAreCrispAtSharpEdges)
+{
+  GrownBox box;
+  box.grown.positions = box.model.mesh.positions;
+  box.grown.positions.col(2).array() += 0.5;
+  for (const double value : box.valuesAt(2, ColorBy::DisplacementNormal)) EXPECT_NEAR(value, 0.5, 1e-12);
+  for (const double value : box.valuesAt(0, ColorBy::DisplacementNormal)) EXPECT_NEAR(value, -0.5, 1e-12);
+}
+
+TEST(Coloring, FieldsOfVerticesHaveNoValuesOfCorners)
+{
+  const GrownBox box;
+  for (const ColorBy field : {ColorBy::Displacement, ColorBy::Angle, ColorBy::Detail, ColorBy::DisplacementX})
+    EXPECT_TRUE(pointValuesOf(box.model, box.grown, field, box.cut).empty());
+}
+
+TEST(Coloring, TheValueInsideAFaceIsThatOfItsCorners)
+{
+  const GrownBox box;
+  const std::vector<double> values = pointValuesOf(box.model, box.grown, ColorBy::AreaChange, box.cut);
+  for (Index t = 0; t < box.shaded.triangles.size(); ++t) {
+    if (!box.isOn(t, 2)) continue;
+    const Index face = box.model.triangulation.faceOf[t];
+    const std::size_t corners = box.model.mesh.faces[face].size();
+    const AtFace middle{face, std::vector<double>(corners, 1.0 / static_cast<double>(corners))};
+    EXPECT_NEAR(valueInFace(values, middle, box.model, box.cut), 300, 1e-9) << face;
+  }
 }
 
 TEST(Coloring, EveryNameIsDescribed)

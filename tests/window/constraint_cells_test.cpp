@@ -44,6 +44,36 @@ TEST_F(ConstraintPanelOfSheet, RoundingIsShownAsZeroAndNothingIsMinusZero)
   EXPECT_EQ(shown(5, Table::Z), "1e-09");
 }
 
+TEST_F(ConstraintPanelOfSheet, AResidualWithinItsLimitReadsMet)
+{
+  const ConstraintOutcome& outcome = *editor.outcome(editor.list().constraints[1].name, 1);
+  EXPECT_EQ(shown(1, Table::Residual), metText(*outcome.limit, ""));
+  const QString tip = rows().index(1, Table::Residual).data(Qt::ToolTipRole).toString();
+  EXPECT_TRUE(tip.contains(exactText(*outcome.residual))) << tip.toStdString();
+  EXPECT_TRUE(tip.contains(exactText(*outcome.limit))) << tip.toStdString();
+}
+
+TEST_F(ConstraintPanelOfSheet, AResidualBeyondItsLimitKeepsItsDigits)
+{
+  DeformOptions options = editor.state().options;
+  options.solver.kind = SolverKind::Soft;
+  editor.setOptions("soft", options);
+  ASSERT_TRUE(test::waitForCurrent(editor));
+  const ConstraintOutcome& outcome = *editor.outcome(editor.list().constraints[1].name, 1);
+  ASSERT_EQ(outcome.status, ConstraintStatus::Missed);
+  EXPECT_EQ(shown(1, Table::Residual), shortText(*outcome.residual));
+}
+
+TEST_F(ConstraintPanelOfSheet, TargetsHaveTheDecimalsOfTheDocument)
+{
+  const QString before = shown(1, Table::Z);
+  editor.setDecimals(3);
+  EXPECT_EQ(shown(5, Table::Z), "2.000");
+  EXPECT_EQ(rows().index(5, Table::Z).data(Qt::EditRole).toString(), "2") << "what is typed has all digits";
+  editor.setDecimals(std::nullopt);
+  EXPECT_EQ(shown(1, Table::Z), before);
+}
+
 TEST_F(ConstraintPanelOfSheet, SwitchAndNameStayInSightWhenTheRestIsScrolled)
 {
   panel.resize(400, 500);

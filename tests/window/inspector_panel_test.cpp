@@ -264,7 +264,9 @@ TEST_F(InspectorPanelOfSheet, TellsTheOutcome)
 {
   editor.selectConstraints({1});
   EXPECT_EQ(find<QLabel>("outcomeStatus").text(), "met");
-  EXPECT_EQ(find<QLabel>("outcomeResidual").text(), "0 mm");
+  const double limit = *editor.outcome(editor.list().constraints[1].name, 1)->limit;
+  EXPECT_EQ(find<QLabel>("outcomeResidual").text(), metText(limit, "mm"));
+  EXPECT_EQ(find<QLabel>("outcomeResidual").toolTip(), "0") << "all digits";
   EXPECT_FALSE(find<QLabel>("outcomeAge").isVisible());
   editor.edit("delete", {"mm", {editor.list().constraints[0], editor.list().constraints[1]}});
   EXPECT_TRUE(find<QLabel>("outcomeAge").isVisible());

@@ -110,6 +110,38 @@ TEST_F(MeasuringInWindow, EveryToolSaysWhatIsUnderTheCursor)
   EXPECT_FALSE(editor().underCursor().pick);
 }
 
+TEST_F(MeasuringInWindow, FieldsOfRotationsHaveTheirAxisAtProbesAndInTheTable)
+{
+  const Index vertex = freeVertex();
+  editor().setMeasurements("probe", {{AtVertex{vertex}}, {}});
+  openMeasured();
+  ColorSettings colors = viewport().colors();
+  colors.field = ColorBy::Angle;
+  viewport().setColors(colors);
+  ASSERT_TRUE(settle());
+  const Weld& weld = editor().model()->solverMesh.weld;
+  const Vector3 q = editor().deformation()->rotations.row(weld.unknownOf[vertex]).transpose();
+  const auto& overlay = *viewport().findChild<ViewportOverlay*>();
+  ASSERT_EQ(overlay.shownProbes().size(), 1U);
+  const QString said = overlay.shownProbes()[0].text;
+  if (q.isZero(0)) {
+    EXPECT_FALSE(said.contains("about")) << said.toStdString();
+  } else {
+    EXPECT_TRUE(said.endsWith("about " + roundedText(Vector3(q.normalized())))) << said.toStdString();
+  }
+}
+
+TEST_F(MeasuringInWindow, PlacesHaveTheDecimalsOfTheDocument)
+{
+  const Index vertex = freeVertex();
+  editor().setMeasurements("probe", {{AtVertex{vertex}}, {}});
+  openMeasured();
+  editor().setDecimals(1);
+  const QTreeWidgetItem& probe = item(1);
+  EXPECT_EQ(probe.child(0)->text(1), QString::number(nowOf(vertex).x(), 'f', 1));
+  EXPECT_EQ(typedNumber(probe.child(0)->toolTip(1)), nowOf(vertex).x()) << "all digits";
+}
+
 TEST_F(MeasuringInWindow, TheTableMarksTheConstraintUnderTheCursor)
 {
   const Index row = *indexOf(list(), "flange east");

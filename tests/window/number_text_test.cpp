@@ -71,6 +71,37 @@ TEST(NumberWords, RoundingIsTakenForZeroBesideLargerNumbers)
   EXPECT_EQ(shortText(1.234e-16).toStdString(), "1.2e-16");
 }
 
+TEST(NumberWords, LengthsHaveTheDecimalsOfTheDocument)
+{
+  const LengthStyle thousandths{"mm", 3};
+  EXPECT_EQ(lengthText(12.5, thousandths).toStdString(), "12.500 mm");
+  EXPECT_EQ(numberText(-0.0004, thousandths).toStdString(), "0.000") << "nothing is minus zero";
+  EXPECT_EQ(coordinateText(1.0 / 3, thousandths).toStdString(), "0.333");
+  EXPECT_EQ(placeText(Vector3(1, -2.00049, 30), thousandths).toStdString(), "(1.000, -2.000, 30.000)");
+  EXPECT_EQ(lengthText(12.5, {"mm", 0}).toStdString(), "12 mm");
+  EXPECT_EQ(numberText(3e12, thousandths).toStdString(), "3e+12") << "decimals of so large a number say nothing";
+  EXPECT_EQ(lengthText(12.3456, {"mm"}).toStdString(), "12.35 mm") << "without decimals four digits";
+}
+
+TEST(NumberWords, ALengthThatDecimalsWouldHideIsNotZero)
+{
+  EXPECT_EQ(lengthText(2e-7, {"mm", 3}).toStdString(), "<0.001 mm");
+  EXPECT_EQ(lengthText(2e-7, {"", 0}).toStdString(), "<1");
+  EXPECT_EQ(lengthText(0, {"mm", 3}).toStdString(), "0.000 mm");
+}
+
+TEST(NumberWords, WhatIsMetHasTheDigitsOfItsLimit)
+{
+  EXPECT_EQ(metText(1.5612e-10, "mm").toStdString(), "met ≤ 1.6e-10 mm");
+  EXPECT_EQ(metText(1e-12, "").toStdString(), "met ≤ 1e-12");
+  const auto within = [](int most) {
+    return fittingText(3.6e-15, metText(1e-12, ""), [most](const QString& text) { return text.size() <= most; })
+        .toStdString();
+  };
+  EXPECT_EQ(within(11), "met ≤ 1e-12");
+  EXPECT_EQ(within(10), "met") << "and never the digits of rounding";
+}
+
 TEST(NumberWords, OneIsSingular)
 {
   EXPECT_EQ(countText(1, "1 vertex", "%1 vertices").toStdString(), "1 vertex");

@@ -47,6 +47,14 @@ TEST_F(PanelDocksOfBar, OnlyPanelsInFrontFollowWhatIsShown)
   EXPECT_EQ(residualsShown(), all - 1);
 }
 
+TEST_F(PanelDocksOfBar, PanelsYieldToThePictureWhereTheWindowBecomesNarrower)
+{
+  window.resize(1600, 1000);
+  ASSERT_TRUE(settle());
+  window.resize(1024, 700);
+  EXPECT_TRUE(test::waitUntil([this] { return viewport().width() >= 600; })) << viewport().width();
+}
+
 TEST_F(PanelDocksOfBar, NothingMovesFromTabToTab)
 {
   const QRect picture = viewport().geometry();

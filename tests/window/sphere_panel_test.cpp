@@ -151,6 +151,22 @@ TEST_F(SpherePanelOfPlate, TheSummarySaysHowMuchIsAskedFor)
   EXPECT_TRUE(panel.findChild<QLabel*>("sphereSummary")->text().contains(QStringLiteral("35°")));
 }
 
+TEST_F(SpherePanelOfPlate, WordsSayWhatLatitudeAndLongitudeAre)
+{
+  const auto words = [this] { return panel.findChild<QLabel*>("sphereWords")->text(); };
+  EXPECT_TRUE(words().contains("Latitude is the angle")) << words().toStdString();
+  EXPECT_TRUE(words().contains("Longitude is the axis"));
+  EXPECT_FALSE(words().contains(QStringLiteral("540°"))) << "no rotation is that large";
+  ConstraintList list = editor.list();
+  for (Constraint& constraint : list.constraints)
+    if (auto* handle = std::get_if<HandleConstraint>(&constraint.what))
+      handle->motion = AxisRotation{Vector3::UnitX(), 450, {}};
+  editor.edit("turn", list);
+  ASSERT_TRUE(test::waitUntil([&] { return editor.solveState() == SolveState::Current; }));
+  ASSERT_TRUE(isShown());
+  EXPECT_TRUE(words().contains(QStringLiteral("540° at the equator"))) << words().toStdString();
+}
+
 TEST_F(SpherePanelOfPlate, WithoutARotationTheHintSaysWhatToDo)
 {
   const auto* hint = panel.findChild<QLabel*>("sphereHint");

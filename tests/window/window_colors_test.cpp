@@ -260,14 +260,27 @@ TEST_F(ColorsOfBar, EveryMapDrawsItsOwnColours)
 {
   chooseField(ColorBy::Rotation);
   std::vector<QImage> pictures;
-  for (int map = 0; map < find<QComboBox>("colorMap").count(); ++map) {
-    choose("colorMap", map);
+  for (int map = 0; map < find<QComboBox>("colorMap").count() - 1; ++map) {
+    choose("colorMap", map + 1);
     EXPECT_EQ(static_cast<int>(viewport().coloring()->scale.map), map);
     expectColorsOf(known("rotation_log"));
     const QImage drawn = picture();
     for (const QImage& other : pictures) EXPECT_NE(drawn, other) << "map " << map;
     pictures.push_back(drawn);
   }
+}
+
+TEST_F(ColorsOfBar, SignedFieldsAreWhiteAtZeroUntilAMapIsChosen)
+{
+  chooseField(ColorBy::DisplacementX);
+  EXPECT_TRUE(isTwoSided(viewport().coloring()->scale.map));
+  chooseField(ColorBy::Displacement);
+  EXPECT_FALSE(isTwoSided(viewport().coloring()->scale.map));
+  choose("colorMap", 1);
+  chooseField(ColorBy::DisplacementX);
+  EXPECT_EQ(viewport().coloring()->scale.map, ColorMap::BlueGreenYellow);
+  choose("colorMap", 0);
+  EXPECT_TRUE(isTwoSided(viewport().coloring()->scale.map));
 }
 
 TEST_F(ColorsOfBar, AFixedRangeIsTheOneThatIsTyped)

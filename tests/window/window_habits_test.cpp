@@ -354,6 +354,11 @@ TEST_F(HabitsInWindow, PreferencesApplyAtOnce)
   test::type(unit, "mm");
   test::pressKey(unit, Qt::Key_Return);
   EXPECT_EQ(list().units, "mm");
+  auto& decimals = *dialog.findChild<QComboBox*>("decimals");
+  chooseEntry(decimals, 4);
+  EXPECT_EQ(decimals.currentText(), "0.001");
+  EXPECT_EQ(editor().decimals(), 3);
+  EXPECT_FALSE(editor().history().undoName() == "decimals") << "no edit";
   dialog.close();
   ASSERT_TRUE(settle());
   trigger("undo");
@@ -362,6 +367,7 @@ TEST_F(HabitsInWindow, PreferencesApplyAtOnce)
   window.files().open(QString::fromStdString(test::dataFolder() + "/bracket.obj"));
   ASSERT_TRUE(test::waitUntil([this] { return !window.files().isOpening(); }));
   EXPECT_EQ(list().units, "mm") << "of meshes that are opened later";
+  EXPECT_EQ(editor().decimals(), 3) << "the same";
 }
 
 TEST_F(HabitsInWindow, ManualIsAtHand)

@@ -164,6 +164,21 @@ TEST_F(SessionInWindow, RangesOfColoursComeBack)
   EXPECT_EQ(std::get<FixedRange>(again->viewport().colors().range).high, fixed.high);
 }
 
+TEST_F(SessionInWindow, DecimalsOfLengthsComeBack)
+{
+  editor().setDecimals(3);
+  save();
+  openAgain();
+  EXPECT_EQ(again->editor().decimals(), 3);
+}
+
+TEST_F(SessionInWindow, AMapThatWasNotChosenIsStillThatOfTheField)
+{
+  save();
+  openAgain();
+  EXPECT_EQ(again->viewport().colors().map, std::nullopt);
+}
+
 TEST_F(SessionInWindow, PowersOfTenComeBack)
 {
   openPanel("Colours");

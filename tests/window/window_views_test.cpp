@@ -89,6 +89,34 @@ TEST_F(ViewsInWindow, ShowAllFitsInParallelProjectionFromEverySide)
   }
 }
 
+TEST_F(ViewsInWindow, TheLegendDoesNotCoverTheMeshThatWasFramed)
+{
+  press(Qt::Key_Home);
+  for (const QSize size : {QSize(1024, 700), QSize(800, 600), QSize(1600, 1000)}) {
+    window.resize(size);
+    ASSERT_TRUE(settle());
+    EXPECT_FALSE(covered().intersects(viewport().legendBox())) << size.width();
+  }
+  ColorSettings colors = viewport().colors();
+  colors.range = FixedRange{-1234567.125, 1234567.125};
+  colors.bands = 8;
+  viewport().setColors(colors);
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(covered().intersects(viewport().legendBox())) << "of longer numbers";
+}
+
+TEST_F(ViewsInWindow, ACameraThatWasMovedStaysWhenTheLegendGrows)
+{
+  turn();
+  const Camera before = camera();
+  ColorSettings colors = viewport().colors();
+  colors.range = FixedRange{-1234567.125, 1234567.125};
+  colors.bands = 8;
+  viewport().setColors(colors);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(camera(), before);
+}
+
 TEST_F(ViewsInWindow, ShowAllLeavesRoomForTheLegendAtTheLeft)
 {
   openPanel("Colours");

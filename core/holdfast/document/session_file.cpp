@@ -27,6 +27,7 @@ void forEachMember(View& view, Visitor&& visit)
   visit("color_map", view.colorMap);
   visit("bands", view.bands);
   visit("legend", view.legend);
+  visit("decimals", view.decimals);
   visit("rest_shape", view.restShape);
   visit("mesh_edges", view.meshEdges);
   visit("surface", view.surface);
@@ -145,6 +146,14 @@ void read(const JsonReader& json, Index& count)
 {
   count = json.integer();
   if (count < 1) json.fail("{} is not above 0", count);
+}
+
+void read(const JsonReader& json, int& decimals)
+{
+  const Index typed = json.integer();
+  if (typed < 0 || typed > kMostLengthDecimals)
+    json.fail("{} decimals cannot be shown; give 0 to {}", typed, kMostLengthDecimals);
+  decimals = static_cast<int>(typed);
 }
 
 void read(const JsonReader& json, std::vector<std::array<Index, 2>>& ranges)

@@ -33,6 +33,9 @@ struct Camera {
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
+/// More say nothing of a double between 1 and 10.
+inline constexpr int kMostLengthDecimals = 15;
+
 /// How the model is shown; the view chooses what is absent. Names are those of the view.
 struct ViewState {
   std::optional<Camera> camera;
@@ -44,6 +47,7 @@ struct ViewState {
   std::optional<std::string> colorMap;
   std::optional<Index> bands;         ///< of one colour each, 1 or more; colours change with every value where absent
   std::optional<std::string> legend;  ///< where it is
+  std::optional<int> decimals;        ///< of lengths, 0 to `kMostLengthDecimals`
   std::optional<std::string> restShape;
   std::optional<std::string> meshEdges;
   std::optional<std::string> surface;

@@ -40,6 +40,7 @@ SessionFile fullSession()
   session.view.colorMap = "Björk's";
   session.view.bands = 12;
   session.view.legend = "left";
+  session.view.decimals = 3;
   session.view.restShape = "edges";
   session.view.meshEdges = "all";
   session.view.surface = "wireframe";

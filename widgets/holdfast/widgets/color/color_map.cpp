@@ -41,8 +41,27 @@ constexpr LabColor kBlackRedYellow[] = {{10, 10, 4},  {19, 26, 17}, {28, 39, 32}
 constexpr std::array<std::span<const LabColor>, 6> kMaps{kBlueGreenYellow, kBlueGreyYellow, kBlueWhiteOrange, kGrey,
                                                          kBlueWhiteRed,    kBlackRedYellow};
 
-// Finer than the 256 levels of a channel anywhere along the map.
-constexpr int kTableColors = 1024;
+// Finer than the 256 levels of a channel anywhere along the map. A prime above `kMostBands`: no two bands meet where
+// two colours of the table do.
+constexpr int kTableColors = 1021;
+
+// Where the outside is marked, of one colour of the table: the ends of the scale are so far from it. With this share,
+// no two bands meet between two colours.
+constexpr double kFromEnds = 0.3 / kTableColors;
+
+/// From the beginning of the scale to its end, and on; values without a logarithm are as far below as the end is above.
+double freeShareOf(const ColorScale& scale, double value)
+{
+  if (scale.scaling == Scaling::Linear) return (value - scale.low) / (scale.high - scale.low);
+  return value > 0 ? std::log(value / scale.low) / std::log(scale.high / scale.low) : -1;
+}
+
+/// The share of the map at a share of the scale.
+double mapShareAt(const ColorScale& scale, double share)
+{
+  if (!scale.isSigned || scale.scaling != Scaling::Linear || !isTwoSided(scale.map)) return share;
+  return 0.5 + 0.5 * std::lerp(scale.low, scale.high, share) / std::max(std::abs(scale.low), std::abs(scale.high));
+}
 
 }  // namespace
 
@@ -77,9 +96,22 @@ double shareOf(const ColorScale& scale, double value)
 
 Color colorAt(const ColorScale& scale, double share)
 {
-  if (scale.bands < 2 || std::isnan(share)) return mapColor(share, scale.map);
+  if (scale.bands < 2 || std::isnan(share)) return mapColor(mapShareAt(scale, share), scale.map);
   const double band = std::clamp(std::floor(share * scale.bands), 0.0, scale.bands - 1.0);
-  return mapColor(band / (scale.bands - 1), scale.map);
+  return mapColor(mapShareAt(scale, band / (scale.bands - 1)), scale.map);
+}
+
+Color colorOf(const ColorScale& scale, double value)
+{
+  if (scale.outside == Outside::Marked && value < scale.low) return kBelowColor;
+  if (scale.outside == Outside::Marked && value > scale.high) return kBeyondColor;
+  return colorAt(scale, shareOf(scale, value));
+}
+
+double tablePlace(const ColorScale& scale, double value)
+{
+  if (scale.outside == Outside::AsEnds || std::isnan(value)) return shareOf(scale, value);
+  return kFromEnds + (1 - 2 * kFromEnds) * freeShareOf(scale, value);
 }
 
 vtkSmartPointer<vtkLookupTable> toLookupTable(const ColorScale& scale)
@@ -88,10 +120,16 @@ vtkSmartPointer<vtkLookupTable> toLookupTable(const ColorScale& scale)
   table->SetNumberOfTableValues(kTableColors);
   table->SetTableRange(0, 1);
   for (int k = 0; k < kTableColors; ++k) {
-    const Color color = colorAt(scale, k / (kTableColors - 1.0));
+    // A colour of the table in which two bands meet is that of the upper one, as the value there is.
+    const double share = scale.bands < 2 ? k / (kTableColors - 1.0) : (k + 1.0) / kTableColors;
+    const Color color = colorAt(scale, share);
     table->SetTableValue(k, color.red, color.green, color.blue);
   }
   table->SetNanColor(kNoValueColor.red, kNoValueColor.green, kNoValueColor.blue, 1);
+  table->SetBelowRangeColor(kBelowColor.red, kBelowColor.green, kBelowColor.blue, 1);
+  table->SetAboveRangeColor(kBeyondColor.red, kBeyondColor.green, kBeyondColor.blue, 1);
+  table->SetUseBelowRangeColor(scale.outside == Outside::Marked);
+  table->SetUseAboveRangeColor(scale.outside == Outside::Marked);
   return table;
 }
 

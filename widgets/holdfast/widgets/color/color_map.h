@@ -37,6 +37,22 @@ enum class ColorMap {
 /// A light grey that the maps do not have, for places without a value.
 inline constexpr Color kNoValueColor{0.80, 0.80, 0.80};
 
+/// Whether its lightest colour is in its middle.
+[[nodiscard]] constexpr bool isTwoSided(ColorMap map)
+{
+  return map == ColorMap::BlueWhiteOrange || map == ColorMap::BlueWhiteRed;
+}
+
+/// What is below the beginning of a scale and beyond its end, where that is marked: colours that no map has.
+inline constexpr Color kBelowColor{0.125, 0.00, 0.625};
+inline constexpr Color kBeyondColor{0.75, 1.00, 0.00};
+
+/// The colour of values that are not on the scale.
+enum class Outside {
+  AsEnds,  ///< that of the nearer end
+  Marked   ///< `kBelowColor` and `kBeyondColor`
+};
+
 enum class Scaling { Linear, Logarithmic };
 
 /// Which numbers are round on a linear scale.
@@ -58,6 +74,9 @@ struct ColorScale {
   TickSteps steps = TickSteps::Decimal;
   ColorMap map = ColorMap::BlueGreenYellow;
   int bands = 0;  ///< of one colour each, all equally wide, 2 or more; 0: colours change with every value
+  bool isSigned =
+      false;  ///< 0 has the middle colour of a two-sided map, also where the ends are not equally far from it
+  Outside outside = Outside::AsEnds;
 
   friend bool operator==(const ColorScale&, const ColorScale&) = default;
 };
@@ -66,15 +85,17 @@ struct ColorScale {
 [[nodiscard]] double shareOf(const ColorScale& scale, double value);
 
 /// The colour at `share` of the way from the beginning of the scale to its end. The first band has the colour of the
-/// map's beginning, the last one that of its end.
+/// map's beginning, the last one that of its end; where two bands meet, the upper one begins.
 [[nodiscard]] Color colorAt(const ColorScale& scale, double share);
 
-[[nodiscard]] inline Color colorOf(const ColorScale& scale, double value)
-{
-  return colorAt(scale, shareOf(scale, value));
-}
+[[nodiscard]] Color colorOf(const ColorScale& scale, double value);
 
-/// The colours of a scale for VTK, over shares from 0 to 1.
+/// The colours of a scale for VTK, over `tablePlace`.
 [[nodiscard]] vtkSmartPointer<vtkLookupTable> toLookupTable(const ColorScale& scale);
+
+/// Where VTK finds the colour of `value`: 0 to 1, less or more outside where that is marked; NaN for NaN. No value lies
+/// between two colours of the table, where drawing would choose either from pixel to pixel: not one of an end, and none
+/// at which two bands meet.
+[[nodiscard]] double tablePlace(const ColorScale& scale, double value);
 
 }  // namespace holdfast

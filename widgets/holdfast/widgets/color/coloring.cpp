@@ -143,7 +143,10 @@ Coloring signedColoring(std::string title, std::vector<double> values)
   for (const double value : values)
     if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
   if (largest == 0) largest = 1;
-  return {std::move(values), {std::move(title), Scaling::Linear, -largest, largest}};
+  ColorScale scale{std::move(title), Scaling::Linear, -largest, largest};
+  scale.map = ColorMap::BlueWhiteRed;
+  scale.isSigned = true;
+  return {std::move(values), std::move(scale)};
 }
 
 template <int axis>
@@ -152,6 +155,23 @@ Coloring componentColoring(const Model& model, const DeformResult& deformation, 
   const Eigen::VectorXd along = deformation.positions.col(axis) - model.mesh.positions.col(axis);
   return signedColoring(inUnits(std::string("displacement ") + "xyz"[axis], units),
                         withoutRounding({along.begin(), along.end()}, roundingOf(model)));
+}
+
+/// The way along the normal at rest that each point has moved. Its normal is that of the triangles over it.
+std::vector<double> waysAlongNormals(const Model& model, const DeformResult& deformation, const CutSurface& surface)
+{
+  Positions normals = Positions::Zero(static_cast<Index>(surface.vertexOf.size()), 3);
+  for (std::size_t t = 0; t < model.triangulation.triangles.size(); ++t) {
+    const Vector3 area = areaVector(model.mesh.positions, model.triangulation.triangles[t]);
+    for (const Index point : surface.triangles[static_cast<Index>(t)]) normals.row(point) += area;
+  }
+  std::vector<double> values;
+  for (std::size_t point = 0; point < surface.vertexOf.size(); ++point) {
+    const Index vertex = surface.vertexOf[point];
+    values.push_back((deformation.positions.row(vertex) - model.mesh.positions.row(vertex))
+                         .dot(unitOrZero(normals.row(static_cast<Index>(point)).transpose())));
+  }
+  return withoutRounding(std::move(values), roundingOf(model));
 }
 
 Coloring normalColoring(const Model& model, const DeformResult& deformation, const std::string& units)
@@ -170,25 +190,33 @@ Coloring normalColoring(const Model& model, const DeformResult& deformation, con
                         withoutRounding(std::move(values), roundingOf(model)));
 }
 
-/// By how many percent the sum over the triangles at each vertex of `measure(positions, triangle)` is larger than at
-/// rest; none where it is 0 there.
-template <class Measure>
-Coloring changeColoring(const Model& model, const DeformResult& deformation, const char* title, Measure&& measure)
+/// By how many percent the sum over the triangles at each of `count` points of `measure(positions, triangle)` is larger
+/// than at rest; none where it is 0 there.
+template <class PointsOf, class Measure>
+std::vector<double> changes(const Model& model, const DeformResult& deformation, std::size_t count,
+                            const PointsOf& pointsOf, const Measure& measure)
 {
-  const auto vertices = static_cast<std::size_t>(model.mesh.vertexCount());
-  std::vector<double> rest(vertices, 0);
-  std::vector<double> values(vertices, 0);
-  for (const Triangle& triangle : model.triangulation.triangles) {
-    const double before = measure(model.mesh.positions, triangle);
-    const double after = measure(deformation.positions, triangle);
-    for (const Index vertex : triangle) {
-      rest[vertex] += before;
-      values[vertex] += after;
+  std::vector<double> rest(count, 0);
+  std::vector<double> values(count, 0);
+  const std::vector<Triangle>& triangles = model.triangulation.triangles;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const double before = measure(model.mesh.positions, triangles[t]);
+    const double after = measure(deformation.positions, triangles[t]);
+    for (const Index point : pointsOf(static_cast<Index>(t))) {
+      rest[point] += before;
+      values[point] += after;
     }
   }
-  for (std::size_t v = 0; v < vertices; ++v)
-    values[v] = rest[v] > 0 ? 100 * (values[v] / rest[v] - 1) : std::numeric_limits<double>::quiet_NaN();
-  return signedColoring(inUnits(title, "%"), withoutRounding(std::move(values), kRoundedPercent));
+  for (std::size_t k = 0; k < count; ++k)
+    values[k] = rest[k] > 0 ? 100 * (values[k] / rest[k] - 1) : std::numeric_limits<double>::quiet_NaN();
+  return withoutRounding(std::move(values), kRoundedPercent);
+}
+
+template <class Measure>
+Coloring changeColoring(const Model& model, const DeformResult& deformation, const char* title, const Measure& measure)
+{
+  const auto cornersOf = [&](Index t) -> const Triangle& { return model.triangulation.triangles[t]; };
+  return signedColoring(inUnits(title, "%"), changes(model, deformation, model.mesh.vertexCount(), cornersOf, measure));
 }
 
 double areaOf(const Positions& positions, const Triangle& triangle)
@@ -226,6 +254,18 @@ Coloring edgeColoring(const Model& model, const DeformResult& deformation, const
   return changeColoring(model, deformation, "change of edge length", sidesOf);
 }
 
+/// The point of a corner of a face.
+Index pointAt(const Model& model, const CutSurface& surface, Index face, Index vertex)
+{
+  const std::vector<int>& faceOf = model.triangulation.faceOf;
+  const std::vector<Triangle>& triangles = model.triangulation.triangles;
+  for (Index t = std::ranges::lower_bound(faceOf, face) - faceOf.begin();; ++t) {
+    assert(faceOf[t] == face);  // each corner of a face is one of its triangles'
+    const auto corner = std::ranges::find(triangles[t], vertex);
+    if (corner != triangles[t].end()) return surface.triangles[t][corner - triangles[t].begin()];
+  }
+}
+
 // In the order of `ColorBy`, without `None`.
 constexpr std::array kColorings{residualColoring,     rotationColoring, angleColoring,        displacementColoring,
                                 detailColoring,       forceColoring,    componentColoring<0>, componentColoring<1>,
@@ -250,6 +290,33 @@ double valueAt(const std::vector<double>& values, const SurfacePoint& point)
   double value = 0;
   for (const Term& term : point.terms) value += term.coefficient * values[term.index];
   return value;
+}
+
+double valueInFace(const std::vector<double>& pointValues, const AtFace& at, const Model& model,
+                   const CutSurface& surface)
+{
+  const auto corners = model.mesh.faces[at.face];
+  double value = 0;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    value += at.weights[k] * pointValues[pointAt(model, surface, at.face, corners[k])];
+  return value;
+}
+
+std::vector<double> pointValuesOf(const Model& model, const DeformResult& deformation, ColorBy colorBy,
+                                  const CutSurface& surface)
+{
+  const auto pointsOf = [&](Index t) { return surface.triangles[t]; };
+  const std::size_t count = surface.vertexOf.size();
+  switch (colorBy) {
+    case ColorBy::DisplacementNormal:
+      return waysAlongNormals(model, deformation, surface);
+    case ColorBy::AreaChange:
+      return changes(model, deformation, count, pointsOf, areaOf);
+    case ColorBy::EdgeChange:
+      return changes(model, deformation, count, pointsOf, sidesOf);
+    default:
+      return {};
+  }
 }
 
 std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation, ColorBy colorBy,
@@ -277,6 +344,7 @@ Coloring withRange(Coloring coloring, const ColorRange& range)
   if (const auto* const fixed = std::get_if<FixedRange>(&range)) {
     scale.low = fixed->low;
     scale.high = fixed->high;
+    scale.outside = Outside::Marked;
     if (fixed->low <= 0) scale.scaling = Scaling::Linear;
   } else if (const auto* const decades = std::get_if<LogarithmicRange>(&range)) {
     const double end = std::ceil(std::log10(largestOf(coloring.values)));
@@ -284,6 +352,8 @@ Coloring withRange(Coloring coloring, const ColorRange& range)
     const double high = std::pow(10, end);
     if (!(low > 0) || !std::isfinite(high)) return coloring;
     scale.scaling = Scaling::Logarithmic;
+    // All of it is on one side of 0.
+    if (std::exchange(scale.isSigned, false)) scale.map = ColorScale().map;
     scale.low = low;
     scale.high = high;
   }

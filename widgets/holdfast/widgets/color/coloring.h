@@ -39,10 +39,25 @@ enum class ColorBy {
 struct Coloring {
   std::vector<double> values;
   ColorScale scale;
+  std::vector<double> pointValues = {};  ///< of each point of a `CutSurface`, which are drawn; empty: as at vertices
+};
+
+/// A surface cut along its sharp edges, over points: what is measured on faces has a value on each side of an edge.
+struct CutSurface {
+  const Polygons& triangles;           ///< over points, in the order of the model's
+  const std::vector<Index>& vertexOf;  ///< of the file, for each point
 };
 
 /// The value at a point of the surface, as it is coloured; NaN where a vertex of it has none.
 [[nodiscard]] double valueAt(const std::vector<double>& values, const SurfacePoint& point);
+
+/// The same inside a face, by the values of its corners.
+[[nodiscard]] double valueInFace(const std::vector<double>& pointValues, const AtFace& at, const Model& model,
+                                 const CutSurface& surface);
+
+/// For `Coloring::pointValues`: empty for fields of which a vertex has one value. O(T).
+[[nodiscard]] std::vector<double> pointValuesOf(const Model& model, const DeformResult& deformation, ColorBy colorBy,
+                                                const CutSurface& surface);
 
 /// None for `ColorBy::None`. Displacements below `kPromisedResidual` of the diagonal, and changes within rounding, are
 /// 0. `units` is the user's name of the model's length; it may be empty.

@@ -25,6 +25,10 @@ constexpr Color kInk{0.13, 0.15, 0.19};
 constexpr int kBarSteps = 256;
 constexpr int kDiscCorners = 48;
 constexpr int kMostTicks = 7;
+constexpr int kMostBorders = 10;
+
+// From an end of the bar, in sizes of the text.
+constexpr double kOutsideAt = 1.3;
 
 // So many roundings at most, each of the size of the ends, lie between a multiple of the step and the end that it is.
 constexpr double kRoundings = 4;
@@ -159,6 +163,44 @@ std::vector<Tick> decadeTicks(const ColorScale& scale)
   return ticks;
 }
 
+/// The share of a class border's value that is rounding of the sum that makes it.
+constexpr double kBorderRounding = 1e-9;
+
+/// Digits that tell the borders of equal classes apart.
+int digitsOfBorders(const ColorScale& scale, double width)
+{
+  const double largest = std::max(std::abs(scale.low), std::abs(scale.high));
+  return std::clamp(static_cast<int>(std::ceil(std::log10(largest / width))) + 2, 3, 9);
+}
+
+double borderOf(const ColorScale& scale, double share)
+{
+  if (scale.scaling == Scaling::Logarithmic) return scale.low * std::pow(scale.high / scale.low, share);
+  const double value = std::lerp(scale.low, scale.high, share);
+  return std::abs(value) < kBorderRounding * (scale.high - scale.low) ? 0 : value;
+}
+
+/// Each `step`-th border, where that is a round part of all of them from end to end.
+int borderStep(int bands)
+{
+  int step = (bands + kMostBorders - 1) / kMostBorders;
+  while (bands % step != 0 && step < 2 * bands / kMostBorders) ++step;
+  return step;
+}
+
+/// Where colours change.
+std::vector<Tick> borderTicks(const ColorScale& scale)
+{
+  const bool isLinear = scale.scaling == Scaling::Linear;
+  const int digits = isLinear ? digitsOfBorders(scale, (scale.high - scale.low) / scale.bands) : 3;
+  std::vector<Tick> ticks;
+  for (int k = 0, step = borderStep(scale.bands); k <= scale.bands; k += step) {
+    const double value = borderOf(scale, k / static_cast<double>(scale.bands));
+    ticks.push_back({value, fmt::format("{:.{}g}", value, digits)});
+  }
+  return ticks;
+}
+
 struct Bar {
   double left;
   double right;
@@ -175,6 +217,17 @@ void addColors(Shape& shape, const Bar& bar, const ColorScale& scale)
     const double high = bar.heightOf((k + 1) / static_cast<double>(kBarSteps));
     shape.addRectangle(bar.left, low, bar.right, high, colorAt(scale, (k + 0.5) / kBarSteps));
   }
+}
+
+/// What is not on the scale, below the bar and above it.
+void addOutside(vtkRenderer& renderer, Shape& shape, const Bar& bar, double textSize)
+{
+  const auto add = [&](double middle, const Color& color, const char* text) {
+    shape.addRectangle(bar.left, middle - 0.4 * textSize, bar.right, middle + 0.4 * textSize, color);
+    addText(renderer, text, bar.right + 0.8 * textSize, middle, {textSize});
+  };
+  add(bar.bottom - kOutsideAt * textSize, kBelowColor, "below");
+  add(bar.top + kOutsideAt * textSize, kBeyondColor, "beyond");
 }
 
 void addTicks(vtkRenderer& renderer, Shape& shape, const ColorScale& scale, const Bar& bar, double textSize)
@@ -219,6 +272,7 @@ double roundStep(double least)
 
 std::vector<Tick> ticksOf(const ColorScale& scale)
 {
+  if (scale.bands >= 2) return borderTicks(scale);
   return scale.scaling == Scaling::Linear ? linearTicks(scale) : decadeTicks(scale);
 }
 
@@ -233,9 +287,13 @@ void addLegend(vtkRenderer& renderer, const LegendContents& contents, const Lege
   const double barBottom = margin + keyHeight + (contents.key.empty() ? 0 : 1.8 * place.textSize);
   addText(renderer, contents.scale->title, place.left, place.height - margin,
           {place.textSize * 1.05, TextWeight::Bold, TextAnchor::Top});
-  const Bar bar{place.left, place.left + 1.3 * place.textSize, std::round(barBottom), std::round(titleBottom)};
+  const bool isMarked = contents.scale->outside == Outside::Marked;
+  const double room = isMarked ? (kOutsideAt + 0.8) * place.textSize : 0;
+  const Bar bar{place.left, place.left + 1.3 * place.textSize, std::round(barBottom + room),
+                std::round(titleBottom - room)};
   Shape shape;
   addColors(shape, bar, *contents.scale);
+  if (isMarked) addOutside(renderer, shape, bar, place.textSize);
   addTicks(renderer, shape, *contents.scale, bar, place.textSize);
   shape.show(renderer);
 }

@@ -40,7 +40,8 @@ struct Tick {
 /// The smallest of 1, 2 and 5 times a power of ten that is no less than `least`.
 [[nodiscard]] double roundStep(double least);
 
-/// Round numbers on the scale, ascending, about five; powers of ten where it is logarithmic.
+/// Round numbers on the scale, ascending, about five; powers of ten where it is logarithmic. Of a scale of bands where
+/// two of them meet, and its ends, or evenly some of these.
 [[nodiscard]] std::vector<Tick> ticksOf(const ColorScale& scale);
 
 /// Adds the legend to a renderer that fills the window.

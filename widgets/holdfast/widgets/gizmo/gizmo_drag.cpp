@@ -60,6 +60,16 @@ Ray sightThrough(const DisplayTransform& view, const DisplayPoint& point)
   return ray;
 }
 
+/// " about (0.6, 0, 0.8)": of an axis that the part's own letter does not name.
+std::string axisInWords(const Vector3& axis)
+{
+  constexpr double kAlong = 1 - 1e-9;
+  constexpr double kShown = 5e-4;
+  if (axis.cwiseAbs().maxCoeff() > kAlong) return {};
+  const auto shown = [](double value) { return std::abs(value) < kShown ? 0 : value; };
+  return fmt::format(" about ({:.3g}, {:.3g}, {:.3g})", shown(axis.x()), shown(axis.y()), shown(axis.z()));
+}
+
 }  // namespace
 
 bool NumericInput::add(char key)
@@ -235,7 +245,9 @@ std::string motionText(GizmoPart part, const GizmoMotion& motion, const RoundSte
   const auto withoutSignOfNothing = [](const std::string& text) {
     return text.find_first_of("123456789") == std::string::npos && text.starts_with('-') ? text.substr(1) : text;
   };
-  if (isRotation(part)) return withoutSignOfNothing(fmt::format("{:.1f}", motion.degrees)) + motionUnit(part, units);
+  if (isRotation(part))
+    return withoutSignOfNothing(fmt::format("{:.1f}", motion.degrees)) + motionUnit(part, units) +
+           axisInWords(motion.axis);
   const bool isPlain = step.decimals() <= kMostDecimals && std::abs(motion.distance) < kLongest;
   const std::string number =
       isPlain ? fmt::format("{:.{}f}", motion.distance, step.decimals()) : fmt::format("{:.4g}", motion.distance);

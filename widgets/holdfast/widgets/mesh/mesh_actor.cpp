@@ -250,17 +250,19 @@ void MeshActor::update()
   meshEdges_->SetVisibility(meshEdgesShown_ == MeshEdges::All && !isCoarse);
 }
 
-void MeshActor::setColors(const std::vector<double>& values, const ColorScale& scale)
+void MeshActor::setColors(const std::vector<double>& values, const ColorScale& scale,
+                          const std::vector<double>& pointValues)
 {
+  assert(pointValues.empty() || pointValues.size() == shaded_->vertexOf.size());
   vtkNew<vtkDoubleArray> shares;
   shares->SetName("shares of the scale");
   shares->SetNumberOfValues(static_cast<vtkIdType>(shaded_->vertexOf.size()));
   std::atomic<bool> isComplete = true;
   parallelBlocks(shares->GetNumberOfValues(), [&](Index k) {
     assert(shaded_->vertexOf[k] < static_cast<Index>(values.size()));
-    const double share = shareOf(scale, values[shaded_->vertexOf[k]]);
-    if (std::isnan(share)) isComplete = false;
-    shares->SetValue(k, share);
+    const double place = tablePlace(scale, pointValues.empty() ? values[shaded_->vertexOf[k]] : pointValues[k]);
+    if (std::isnan(place)) isComplete = false;
+    shares->SetValue(k, place);
   });
   surfaceData_->GetPointData()->SetScalars(shares);
   surfaceMapper_->SetLookupTable(toLookupTable(scale));

@@ -54,8 +54,10 @@ class MeshActor {
   void setPositions(const Positions& positions);
 
   /// Colours by `values`, one for each vertex of the file. Between vertices the values are interpolated and then
-  /// coloured; where some are NaN, the colours are interpolated.
-  void setColors(const std::vector<double>& values, const ColorScale& scale);
+  /// coloured; where some are NaN, the colours are interpolated. `pointValues`, one for each point that is drawn, take
+  /// the place of those of vertices where there are any.
+  void setColors(const std::vector<double>& values, const ColorScale& scale,
+                 const std::vector<double>& pointValues = {});
 
   void clearColors();
 

@@ -54,6 +54,9 @@ constexpr int kMeridians = 8;
 constexpr int kRingDegrees = 45;
 constexpr int kLastRing = 315;
 
+// Of one ring: more turns than these would hide the sphere.
+constexpr int kMostTurnsNamed = 3;
+
 // Between the meridians, where data about coordinate axes are.
 constexpr double kNameAzimuth = 22.5;
 constexpr double kNameRadius = 1.01;
@@ -103,6 +106,27 @@ vtkSmartPointer<vtkPolyData> sphereRings()
   auto data = vtkSmartPointer<vtkPolyData>::New();
   setLines(*data, lines);
   return data;
+}
+
+double largestDegrees(const std::vector<BoundaryRotation>& boundary)
+{
+  double largest = 0;
+  for (const BoundaryRotation& value : boundary) largest = std::max(largest, value.q.norm() * 2 / kDegree);
+  return largest;
+}
+
+/// The angles of a ring of the sphere and of the shells above it that rotations up to `largest` degrees reach: "90°",
+/// "90°, 630°". Each whole turn goes from pole to pole and ends where the next one begins.
+std::string ringText(int degrees, double largest)
+{
+  constexpr int kTurn = 360;
+  std::string text = std::to_string(degrees) + "\u00b0";
+  int turn = 1;
+  for (; turn * kTurn < largest && turn < kMostTurnsNamed; ++turn) {
+    const int further = turn % 2 == 1 ? (turn + 1) * kTurn - degrees : turn * kTurn + degrees;
+    if (degrees != kTurn || turn % 2 == 0) text += ", " + std::to_string(further) + "\u00b0";
+  }
+  return turn * kTurn < largest ? text + " \u2026" : text;
 }
 
 }  // namespace
@@ -349,7 +373,7 @@ void RotationSphere::showScale()
         textAt(std::string("\u2212") + kAxisNames[axis], -kAxisNameRadius * shown.normalized(), kTextPixels));
   }
   const auto addRing = [&](int degrees, const Vector3& place) {
-    texts.push_back(textAt(std::to_string(degrees) + "\u00b0", place, kScaleTextPixels));
+    texts.push_back(textAt(ringText(degrees, largestDegrees(placed_->boundary)), place, kScaleTextPixels));
     texts.back()->GetTextProperty()->SetOpacity(0.7);
   };
   for (int degrees = kRingDegrees; degrees <= kLastRing; degrees += kRingDegrees)

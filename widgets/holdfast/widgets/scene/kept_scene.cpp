@@ -25,6 +25,8 @@ KeptScene::KeptScene(vtkRenderer& scene, vtkRenderer& last)
     : scene_(scene), last_(last), window_(*vtkOpenGLRenderWindow::SafeDownCast(scene.GetRenderWindow()))
 {
   kept_->SetContext(&window_);
+  // It would take a line of one pixel for noise, and leave it faint and dotted.
+  fxaa_->SetSubpixelBlendLimit(0);
   observer_ = last_.AddObserver(vtkCommand::EndEvent, this, &KeptScene::noteScene);
 }
 

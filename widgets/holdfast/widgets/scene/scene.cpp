@@ -107,8 +107,9 @@ Scene::Scene(const Model& model, const DeformResult& deformation, const SceneOpt
   addBackground(*backdrop_);
   addLights(*meshRenderer_);
 
-  const auto coloring =
-      options.coloring ? options.coloring : coloringOf(model, deformation, options.colorBy, options.units);
+  const auto coloring = options.coloring ? options.coloring
+                                         : coloringOf(model, deformation, ColorSettings{options.colorBy}, options.units,
+                                                      contents_.mesh().shaded().get());
   contents_.setHiddenMarks(HiddenMarks::Invisible);
   contents_.show(deformation);
   contents_.color(coloring);

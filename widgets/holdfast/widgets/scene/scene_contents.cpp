@@ -111,7 +111,7 @@ std::vector<ActorSlices*> SceneContents::slices()
 void SceneContents::color(const std::optional<Coloring>& coloring)
 {
   if (coloring)
-    mesh_.setColors(coloring->values, coloring->scale);
+    mesh_.setColors(coloring->values, coloring->scale, coloring->pointValues);
   else
     mesh_.clearColors();
 }
@@ -237,12 +237,14 @@ void arrange(SceneContents& contents, const DisplaySettings& settings)
 }
 
 std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation, const ColorSettings& settings,
-                                   const std::string& units)
+                                   const std::string& units, const ShadedSurface* shaded)
 {
   std::optional<Coloring> coloring = coloringOf(model, deformation, settings.field, units);
   if (!coloring) return std::nullopt;
   coloring = withRange(std::move(*coloring), settings.range);
-  coloring->scale.map = settings.map;
+  if (shaded != nullptr)
+    coloring->pointValues = pointValuesOf(model, deformation, settings.field, cutSurfaceOf(*shaded));
+  if (settings.map) coloring->scale.map = *settings.map;
   coloring->scale.bands = settings.bands;
   return coloring;
 }

@@ -130,9 +130,9 @@ class SceneContents {
 
 struct ColorSettings {
   ColorBy field = ColorBy::Displacement;
-  ColorRange range = AutomaticRange{};  ///< `whyNoRange` of it is empty
-  ColorMap map = ColorMap::BlueGreenYellow;
-  int bands = 0;  ///< as in `ColorScale`
+  ColorRange range = AutomaticRange{};         ///< `whyNoRange` of it is empty
+  std::optional<ColorMap> map = std::nullopt;  ///< without one a two-sided map for signed fields, another for others
+  int bands = 0;                               ///< as in `ColorScale`
 };
 
 /// In which lower corner of the picture the legend is.
@@ -152,8 +152,15 @@ struct DisplaySettings {
 /// Shows in `contents`, to which a deformation was shown, what `settings` say of them.
 void arrange(SceneContents& contents, const DisplaySettings& settings);
 
-/// The values of the chosen field on the chosen scale; none for `ColorBy::None`.
+[[nodiscard]] inline CutSurface cutSurfaceOf(const ShadedSurface& shaded)
+{
+  return {shaded.triangles, shaded.vertexOf};
+}
+
+/// The values of the chosen field on the chosen scale; none for `ColorBy::None`. With `shaded`, what is measured on
+/// faces is crisp at sharp edges.
 [[nodiscard]] std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation,
-                                                 const ColorSettings& settings, const std::string& units);
+                                                 const ColorSettings& settings, const std::string& units,
+                                                 const ShadedSurface* shaded = nullptr);
 
 }  // namespace holdfast

@@ -315,7 +315,7 @@ bool DocumentExports::mayMiss(double length)
   return askToGoOn(window_, tr("“%1” would not be exact.").arg(name()),
                    tr("This format stores coordinates in single precision: readers of the file find constraints missed "
                       "by up to %1. PLY, OBJ and OFF keep every digit.")
-                       .arg(lengthText(length, editor_.isOpen() ? editor_.list().units : "")),
+                       .arg(lengthText(length, {editor_.lengthStyle().units})),
                    tr("&Export anyway"));
 }
 

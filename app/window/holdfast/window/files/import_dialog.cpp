@@ -233,7 +233,8 @@ class ImportDialog : public QDialog {
   [[nodiscard]] QString summary() const
   {
     const ImportPreview& preview = model_.contents().preview;
-    const std::string& units = editor_.list().units.empty() ? model_.contents().list.units : editor_.list().units;
+    LengthStyle style = editor_.lengthStyle();
+    if (style.units.empty()) style.units = model_.contents().list.units;
     QStringList parts;
     const auto add = [&](Index count, const QString& one, const QString& several) {
       if (count > 0) parts << (count == 1 ? one : several.arg(count));
@@ -241,7 +242,7 @@ class ImportDialog : public QDialog {
     if (const auto& table = model_.contents().table; table && table->doubt)
       parts << tr("What the columns mean is not sure: %1.").arg(toText(table->doubt->reason));
     const QString reach = tr(", %1 from the surface at most and %2 on average.")
-                              .arg(lengthText(preview.maxDistance, units), lengthText(preview.meanDistance, units));
+                              .arg(lengthText(preview.maxDistance, style), lengthText(preview.meanDistance, style));
     add(model_.faultyRows(), tr("One row has a fault: it is marked, and left out unless it is ticked."),
         tr("%1 rows have faults: they are marked, and left out unless they are ticked."));
     add(static_cast<Index>(preview.points.size()), tr("One point") + reach, tr("%1 points") + reach);

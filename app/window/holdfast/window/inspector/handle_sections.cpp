@@ -333,7 +333,7 @@ class SingleVerticesSection : public SectionOf<HandleConstraint> {
     setFieldVisible(part.table, isOwn);
     part.button->setText(isOwn ? tr("Take one for all") : tr("Give each vertex its own"));
     if (!isOwn) return;
-    part.model->show(editor().history().state(), rows().front());
+    part.model->show(editor().history().state(), rows().front(), editor().decimals());
     part.table->setFixedHeight(heightOfRows(*part.table));
   }
 

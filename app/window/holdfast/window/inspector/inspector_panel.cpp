@@ -38,7 +38,7 @@ class InspectorPanel final : public RefreshedPanel {
     pages_ = new HintedContent(page, "inspectorEmpty");
     fill(*this, pages_);
 
-    for (const auto signal : {&Editor::opened, &Editor::deformed, &Editor::solveStateChanged})
+    for (const auto signal : {&Editor::opened, &Editor::deformed, &Editor::solveStateChanged, &Editor::decimalsChanged})
       connect(&editor, signal, this, &InspectorPanel::refresh);
     for (const auto signal : {&Editor::stateChanged, &Editor::constraintSelectionChanged})
       connect(&editor, signal, this, [this] {

@@ -19,7 +19,7 @@ class OutcomeSection : public InspectorSection {
     newLayout<QHBoxLayout>(line, 0, 6, {icon_, status_})->setStretch(1, 1);
     addRow(tr("Status"), line);
     addRefresh([this] { showStatus(); });
-    addLargest(tr("Residual"), "outcomeResidual", &ConstraintOutcome::residual, Unit::Length);
+    addResidual(addLargest(tr("Residual"), "outcomeResidual", &ConstraintOutcome::residual, Unit::Length));
     addLargest(tr("Gap"), "outcomeGap", &ConstraintOutcome::gap, Unit::Length);
     addLargest(tr("Force"), "outcomeForce", &ConstraintOutcome::multiplier, Unit::None);
     addLargest(tr("Amplification"), "outcomeAmplification", &ConstraintOutcome::sensitivity, Unit::None);
@@ -36,8 +36,8 @@ class OutcomeSection : public InspectorSection {
  private:
   enum class Unit { None, Length };
 
-  void addLargest(const QString& title, const QString& name, std::optional<double> ConstraintOutcome::*number,
-                  Unit unit)
+  QLabel* addLargest(const QString& title, const QString& name, std::optional<double> ConstraintOutcome::*number,
+                     Unit unit)
   {
     QLabel* label = addText(title, name);
     addRefresh([=, this] {
@@ -49,10 +49,26 @@ class OutcomeSection : public InspectorSection {
       }
       setFieldVisible(label, largest.has_value());
       if (!largest) return;
-      const QString text = lengthText(*largest, unit == Unit::Length ? editor().list().units : "");
+      const QString text = unit == Unit::Length ? lengthText(*largest, editor().lengthStyle()) : roundedText(*largest);
       label->setText(rows().size() == 1 ? text : tr("%1 at most").arg(text));
       label->setToolTip(exactText(*largest));
       setQuiet(*label, !editor().isCurrent());
+    });
+    return label;
+  }
+
+  /// Where all residuals are within their limits their digits are rounding: the tool tip has them.
+  void addResidual(QLabel* label)
+  {
+    addRefresh([=, this] {
+      double limit = 0;
+      for (const Index row : rows()) {
+        const ConstraintOutcome* outcome = editor().outcome(constraint(row).name, row);
+        if (outcome == nullptr || !constraint(row).isEnabled || !outcome->residual) continue;
+        if (!isWithinLimit(*outcome)) return;
+        limit = std::max(limit, *outcome->limit);
+      }
+      if (limit > 0) label->setText(metText(limit, editor().list().units));
     });
   }
 

@@ -112,7 +112,7 @@ class LocationSection : public SectionOf<PointConstraint> {
       showWeights(face->weights);
     }
     const std::optional<Vector3> rest = restPlace(editor(), at);
-    rest_->setText(rest ? roundedText(*rest) : tr("nowhere: the mesh has no such place"));
+    rest_->setText(rest ? placeText(*rest, editor().lengthStyle()) : tr("nowhere: the mesh has no such place"));
     rest_->setToolTip(rest ? exactText(*rest) : QString());
   }
 

@@ -40,7 +40,8 @@ class RelativeSection : public SectionOf<RelativeConstraint> {
     addRefresh([=, this] {
       setFieldVisible(label, rows().size() == 1);
       const std::optional<Vector3> rest = restPlace(editor(), what().*place);
-      const QString where = rest ? tr("at rest %1").arg(roundedText(*rest)) : tr("nowhere: the mesh has no such place");
+      const QString where = rest ? tr("at rest %1").arg(placeText(*rest, editor().lengthStyle()))
+                                 : tr("nowhere: the mesh has no such place");
       label->setText(locationText(what().*place) + '\n' + where);
       label->setToolTip(rest ? exactText(*rest) : QString());
     });

@@ -387,6 +387,11 @@ void Editor::annotate(const QString& name, Annotations after, EditKind kind)
   tellState();
 }
 
+void Editor::setDecimals(std::optional<int> decimals)
+{
+  if (std::exchange(decimals_, decimals) != decimals) Q_EMIT decimalsChanged();
+}
+
 void Editor::setUnderCursor(UnderCursor underCursor)
 {
   const bool wasAnything = underCursor_.pick || underCursor_.constraint;

@@ -26,6 +26,7 @@
 #include <holdfast/widgets/picking/visible_surface.h>
 #include <holdfast/widgets/scene/scene_contents.h>
 #include <holdfast/window/model/background_job.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 
@@ -83,6 +84,12 @@ class Editor : public QObject {
   [[nodiscard]] const DocumentState& state() const { return *history_->state(); }
   [[nodiscard]] const ConstraintList& list() const { return state().list; }
   [[nodiscard]] const History& history() const { return *history_; }
+
+  /// How lengths of this document are written. Decimals are the document's own; without a document there are no units.
+  [[nodiscard]] LengthStyle lengthStyle() const { return {isOpen() ? list().units : std::string(), decimals_}; }
+  [[nodiscard]] std::optional<int> decimals() const noexcept { return decimals_; }
+  /// From 0 to `kMostLengthDecimals`, or none. No edit: nothing that is solved or saved as a constraint changes.
+  void setDecimals(std::optional<int> decimals);
 
   /// The newest finished deformation; null before the first, and without a document.
   [[nodiscard]] const std::shared_ptr<const DeformResult>& deformation() const noexcept { return shown_.deformation; }
@@ -183,6 +190,7 @@ class Editor : public QObject {
   void vertexSelectionChanged();
   void constraintSelectionChanged();
   void annotationsChanged();
+  void decimalsChanged();
   void underCursorChanged();
   void saved();  ///< the history is where the file is, or `markUnsaved` was called
 
@@ -212,6 +220,7 @@ class Editor : public QObject {
 
   LoadedMesh mesh_;
   std::unique_ptr<History> history_;
+  std::optional<int> decimals_;
   std::atomic<bool> isDragging_ = false;  // frames follow one another sooner than rays meet them
   PostedCalls calls_;                     // by the worker; outlives it
   std::unique_ptr<LiveDeformer> worker_;

@@ -20,6 +20,9 @@ enum RangeKind { kFixed = 1, kDecades };
 // The number of colours that stands for a map without bands.
 constexpr int kSmooth = 1;
 
+// In the place of a map.
+constexpr int kOfTheField = -1;
+
 constexpr int kDefaultDecades = 4;
 constexpr int kMostDecadesShown = 60;
 constexpr QSize kSwatch(64, 12);
@@ -74,6 +77,8 @@ void ColorPanel::makeColorRows(QFormLayout& form)
   refusal_ = newText("colorRefusal");
   map_ = named(new QComboBox, "colorMap");
   map_->setIconSize(kSwatch);
+  map_->addItem(tr("As the field needs"), kOfTheField);
+  map_->setToolTip(tr("As the field needs: white at 0 where values have both signs"));
   for (const auto& [map, name] : {std::pair(ColorMap::BlueGreenYellow, tr("Blue to green to yellow")),
                                   {ColorMap::BlueGreyYellow, tr("Blue to grey to yellow")},
                                   {ColorMap::BlueWhiteOrange, tr("Blue to white to orange")},
@@ -98,7 +103,8 @@ void ColorPanel::makeColorRows(QFormLayout& form)
   connect(field_, kChosen, this, &ColorPanel::chooseField);
   connect(rangeKind_, kChosen, this, &ColorPanel::chooseRangeKind);
   connect(map_, kChosen, this, [this] {
-    settings_.map = static_cast<ColorMap>(map_->currentData().toInt());
+    const int map = map_->currentData().toInt();
+    settings_.map = map == kOfTheField ? std::nullopt : std::optional(static_cast<ColorMap>(map));
     Q_EMIT settingsChanged(settings_);
   });
   connect(bands_, qOverload<int>(&QSpinBox::valueChanged), this, [this](int count) {
@@ -202,7 +208,7 @@ void ColorPanel::setSettings(const ColorSettings& settings)
   field_->setCurrentIndex(static_cast<int>(settings.field));
   rangeKind_->setCurrentIndex(static_cast<int>(settings.range.index()));
   rangeRows_->setCurrentIndex(rangeKind_->currentIndex());
-  map_->setCurrentIndex(map_->findData(static_cast<int>(settings.map)));
+  map_->setCurrentIndex(map_->findData(settings.map ? static_cast<int>(*settings.map) : kOfTheField));
   bands_->setValue(std::max(settings.bands, kSmooth));
   if (const auto* fixed = std::get_if<FixedRange>(&settings.range)) {
     low_->replaceTyped(fixed->low);

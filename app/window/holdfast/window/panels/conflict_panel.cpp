@@ -19,10 +19,10 @@ namespace holdfast {
 namespace {
 
 /// “P3” asks for a place 0.42 mm away from where “P1” and “P2” put it.
-QString conflictText(const ConstraintOutcome& outcome, const ConflictSet& conflictSet, const std::string& units)
+QString conflictText(const ConstraintOutcome& outcome, const ConflictSet& conflictSet, const LengthStyle& style)
 {
   // The unit stays on the line of its number.
-  const QString length = lengthText(conflictSet.gap.stableNorm(), units).replace(' ', QChar::Nbsp);
+  const QString length = lengthText(conflictSet.gap.stableNorm(), style).replace(' ', QChar::Nbsp);
   const auto said = [&](const QString& byOne, const QString& bySeveral) {
     return (conflictSet.with.size() == 1 ? byOne : bySeveral)
         .arg(quoted(outcome.name), length, quotedList(conflictSet.with));
@@ -44,10 +44,10 @@ QString conflictText(const ConstraintOutcome& outcome, const ConflictSet& confli
 }
 
 /// How many of the rows, and which way they are off.
-QString gapText(const ConstraintOutcome& outcome, const ConflictSet& conflictSet, const std::string& units)
+QString gapText(const ConstraintOutcome& outcome, const ConflictSet& conflictSet, const LengthStyle& style)
 {
-  QString text = QObject::tr("Off by %1").arg(roundedText(conflictSet.gap));
-  if (!units.empty()) text += ' ' + QString::fromStdString(units);
+  QString text = QObject::tr("Off by %1").arg(placeText(conflictSet.gap, style));
+  if (!style.units.empty()) text += ' ' + QString::fromStdString(style.units);
   if (outcome.rows > 1)
     text += QObject::tr(", in %1 of its %2 rows").arg(QString::number(conflictSet.rows), QString::number(outcome.rows));
   text += '.';
@@ -107,7 +107,8 @@ class ConflictPanel final : public RefreshedPanel {
     pages_ = new HintedContent(list, "conflictEmpty");
     holdfast::fill(*this, pages_);
 
-    for (const auto signal : {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::solveStateChanged})
+    for (const auto signal : {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::solveStateChanged,
+                              &Editor::decimalsChanged})
       connect(&editor, signal, this, &ConflictPanel::refresh);
     refresh();
   }
@@ -204,10 +205,10 @@ class ConflictPanel final : public RefreshedPanel {
   void fill(ConflictCard& card, const Conflict& conflict)
   {
     card.conflict = conflict;
-    const std::string& units = editor_.list().units;
+    const LengthStyle style = editor_.lengthStyle();
     card.card->setIcon(statusIcon(ConstraintStatus::Conflicting, palette()));
-    card.card->setTitle(conflictText(*conflict.outcome, *conflict.conflictSet, units));
-    card.card->setText(gapText(*conflict.outcome, *conflict.conflictSet, units));
+    card.card->setTitle(conflictText(*conflict.outcome, *conflict.conflictSet, style));
+    card.card->setText(gapText(*conflict.outcome, *conflict.conflictSet, style));
     card.card->setToolTip(exactText(conflict.conflictSet->gap));
     fillRepairs(card);
   }
@@ -227,14 +228,14 @@ class ConflictPanel final : public RefreshedPanel {
     const std::optional<SharedPlace> shared = isCurrent ? sharedPlaceOf(card) : std::nullopt;
     card.average->setVisible(shared.has_value());
     if (shared) {
-      card.average->setText(tr("Use the average %1").arg(roundedText(shared->mean)));
+      card.average->setText(tr("Use the average %1").arg(placeText(shared->mean, editor_.lengthStyle())));
       card.average->setToolTip(plainTip(
           tr("Gives %1 the target %2").arg(quotedList(namesOf(shared->constraints)), exactText(shared->mean))));
     }
     const std::optional<Vector3>& target = conflictSet->consistentTarget;
     card.retarget->setVisible(target.has_value());
     if (!target) return;
-    card.retarget->setText(tr("Use the target %1").arg(roundedText(*target)));
+    card.retarget->setText(tr("Use the target %1").arg(placeText(*target, editor_.lengthStyle())));
     card.retarget->setToolTip(plainTip(
         tr("Gives %1 the target %2, which agrees with the others").arg(quoted(outcome->name), exactText(*target))));
   }

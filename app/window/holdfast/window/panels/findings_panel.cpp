@@ -37,9 +37,11 @@ QString aboutMesh(const Editor& editor)
   const QString units = toText(editor.list().units);
   const Eigen::AlignedBox3d rest = boundingBox(model.mesh.positions);
   const Eigen::AlignedBox3d now = boundingBox(editor.positions());
-  const auto sizesOf = [](const Eigen::AlignedBox3d& box) {
+  const LengthStyle style = editor.lengthStyle();
+  const auto sizesOf = [&style](const Eigen::AlignedBox3d& box) {
+    const Vector3 sizes = box.sizes();
     return QString("%1 × %2 × %3")
-        .arg(roundedText(box.sizes().x()), roundedText(box.sizes().y()), roundedText(box.sizes().z()));
+        .arg(numberText(sizes.x(), style), numberText(sizes.y(), style), numberText(sizes.z(), style));
   };
   const Index parts = model.solverMesh.componentCount;
   const QStringList lines{
@@ -49,7 +51,7 @@ QString aboutMesh(const Editor& editor)
                parts == 1 ? QObject::tr("1 part") : QObject::tr("%1 parts").arg(countText(parts))),
       QObject::tr("Size: %1 %2").arg(sizesOf(now), units.isEmpty() ? QObject::tr("(no unit)") : units) +
           (sizesOf(now) == sizesOf(rest) ? QString() : QObject::tr("; at rest %1").arg(sizesOf(rest))),
-      QObject::tr("Bounds: %1 to %2").arg(roundedText(Vector3(now.min())), roundedText(Vector3(now.max())))};
+      QObject::tr("Bounds: %1 to %2").arg(placeText(now.min(), style), placeText(now.max(), style))};
   return lines.join('\n');
 }
 
@@ -66,6 +68,7 @@ class FindingsPanel final : public RefreshedPanel {
     about_->setContentsMargins(9, 6, 9, 3);
     connect(&editor, &Editor::opened, this, &FindingsPanel::refresh);
     connect(&editor, &Editor::deformed, this, &FindingsPanel::refresh);
+    connect(&editor, &Editor::decimalsChanged, this, &FindingsPanel::refresh);
     connect(&editor, &Editor::examined, this, &FindingsPanel::refresh);
     refresh();
   }

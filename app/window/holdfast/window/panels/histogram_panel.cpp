@@ -231,12 +231,12 @@ void HistogramPanel::refreshResiduals()
       tr("Residuals: %1 of %2 within their limits, the least dashed").arg(withinLimits).arg(histogram.valueCount);
   texts.valueAxis = tr("residual / diagonal of the bounding box");
   texts.countAxis = tr("constraints");
-  const QString units = QString::fromStdString(editor_.deformedState()->list.units);
+  const std::string units = editor_.deformedState()->list.units;
   texts.describe = [=](Index bar) {
     const double low = histogram.edges[bar];
     const double high = histogram.edges[bar + 1];
-    return tr("%1 to %2 of the diagonal (%3 to %4 %5)\nconstraints: %6")
-        .arg(roundedText(low), roundedText(high), roundedText(low * diagonal), roundedText(high * diagonal), units)
+    return tr("%1 to %2 of the diagonal (%3 to %4)\nconstraints: %5")
+        .arg(roundedText(low), roundedText(high), roundedText(low * diagonal), lengthText(high * diagonal, {units}))
         .arg(histogram.counts[bar]);
   };
   residuals_.values = std::move(shares);

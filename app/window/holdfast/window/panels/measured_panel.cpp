@@ -13,6 +13,7 @@
 #include <holdfast/window/controls/command_tree.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/background_job.h>
+#include <holdfast/window/model/field_value.h>
 #include <holdfast/window/panels/panels.h>
 #include <holdfast/window/text/color_text.h>
 #include <holdfast/window/text/constraint_text.h>
@@ -41,7 +42,7 @@ class MeasuredPanel final : public RefreshedPanel {
     pages_ = new HintedContent(tree_, "measuredHint");
     fill(*this, pages_);
     connect(&editor, &Editor::opened, this, &MeasuredPanel::begin);
-    for (const auto& signal : {&Editor::deformed, &Editor::annotationsChanged})
+    for (const auto& signal : {&Editor::deformed, &Editor::annotationsChanged, &Editor::decimalsChanged})
       connect(&editor, signal, this, &MeasuredPanel::refresh);
     connect(&editor, &Editor::underCursorChanged, this, [this] {
       if (isVisible() && tree_->topLevelItemCount() > 0) fillCursor();
@@ -52,7 +53,8 @@ class MeasuredPanel final : public RefreshedPanel {
  private:
   struct ShownField {
     QString name;
-    std::vector<double> values;
+    Coloring coloring;
+    ValueMeaning meaning;
   };
 
   void begin()
@@ -88,12 +90,15 @@ class MeasuredPanel final : public RefreshedPanel {
   void computeFields()
   {
     computing_.start([this, model = editor_.model(), deformation = editor_.deformation(),
+                      shaded = editor_.mesh().contents->mesh().shaded(),
                       units = editor_.list().units](Progress&) -> BackgroundJob::Finish {
       std::vector<ShownField> fields;
       for (std::size_t k = 1; k < colorByNames().size(); ++k) {
-        auto coloring = coloringOf(*model, *deformation, static_cast<ColorBy>(k), units);
-        fields.push_back(
-            {QString::fromStdString(coloring->scale.title).replace('\n', ' '), std::move(coloring->values)});
+        const auto field = static_cast<ColorBy>(k);
+        const auto coloring = coloringOf(*model, *deformation, ColorSettings{field}, units, shaded.get());
+        fields.push_back({QString::fromStdString(coloring->scale.title).replace('\n', ' '),
+                          *coloring,
+                          {field, coloring->scale.promise}});
       }
       return [this, deformation, fields = std::move(fields)] {
         fieldsOf_ = deformation;
@@ -108,9 +113,9 @@ class MeasuredPanel final : public RefreshedPanel {
     return positionOf(pointOf(location, editor_.model()->mesh), positions);
   }
 
-  static void setNumber(QTreeWidgetItem& item, int column, double value)
+  static void setNumber(QTreeWidgetItem& item, int column, double value, const QString& shown)
   {
-    item.setText(column, std::isnan(value) ? QString() : roundedText(value));
+    item.setText(column, std::isnan(value) ? QString() : shown);
     item.setData(column, Qt::UserRole, std::isnan(value) ? QString() : exactText(value));
     item.setToolTip(column, item.data(column, Qt::UserRole).toString());
     item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
@@ -124,11 +129,16 @@ class MeasuredPanel final : public RefreshedPanel {
     return *item.child(row);
   }
 
-  static void fillNumbers(QTreeWidgetItem& item, double now, double rest)
+  void setLength(QTreeWidgetItem& item, int column, double value) const
   {
-    setNumber(item, kNow, now);
-    setNumber(item, kRest, rest);
-    setNumber(item, kDifference, now - rest);
+    setNumber(item, column, value, numberText(value, editor_.lengthStyle()));
+  }
+
+  void fillLengths(QTreeWidgetItem& item, double now, double rest) const
+  {
+    setLength(item, kNow, now);
+    setLength(item, kRest, rest);
+    setLength(item, kDifference, now - rest);
   }
 
   void fillCursor()
@@ -144,13 +154,26 @@ class MeasuredPanel final : public RefreshedPanel {
     constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
     const Vector3 now = at ? placeOf(*at, editor_.positions()) : Vector3::Constant(kNothing);
     const Vector3 rest = at ? placeOf(*at, editor_.model()->mesh.positions) : now;
-    for (int column = kNow; column < kColumns; ++column) setNumber(item, column, kNothing);
+    for (int column = kNow; column < kColumns; ++column) setNumber(item, column, kNothing, {});
     int row = 0;
-    for (int axis = 0; axis < 3; ++axis) fillNumbers(child(item, row++, axisText(axis)), now[axis], rest[axis]);
-    for (const ShownField& field : fields_)
-      setNumber(child(item, row++, field.name), kNow,
-                at ? valueAt(field.values, pointOf(*at, editor_.model()->mesh)) : kNothing);
+    for (int axis = 0; axis < 3; ++axis) fillLengths(child(item, row++, axisText(axis)), now[axis], rest[axis]);
+    for (const ShownField& field : fields_) {
+      const double value = at ? fieldValue(editor_, field.coloring, *at) : kNothing;
+      setNumber(child(item, row++, field.name), kNow, value, valueText(value, field.meaning, editor_.decimals()));
+    }
+    if (!fields_.empty()) fillAxis(child(item, row++, tr("axis of rotation")), at);
     trim(item, row);
+  }
+
+  /// Of the deformation whose fields are shown.
+  void fillAxis(QTreeWidgetItem& item, const std::optional<SurfaceLocation>& at) const
+  {
+    const std::optional<Vector3> axis =
+        at ? rotationAxis(*editor_.model(), *fieldsOf_, pointOf(*at, editor_.model()->mesh)) : std::nullopt;
+    item.setText(kNow, axis ? roundedText(*axis) : QString());
+    item.setData(kNow, Qt::UserRole, axis ? exactText(*axis) : QString());
+    item.setToolTip(kNow, item.data(kNow, Qt::UserRole).toString());
+    item.setTextAlignment(kNow, Qt::AlignRight | Qt::AlignVCenter);
   }
 
   void fillRuler(QTreeWidgetItem& item, const QString& name, const std::array<SurfaceLocation, 2>& ends)
@@ -162,9 +185,9 @@ class MeasuredPanel final : public RefreshedPanel {
     const Vector3 rest = vectorIn(editor_.model()->mesh.positions);
     item.setText(kWhat, name);
     item.setToolTip(kWhat, tr("From %1 to %2").arg(locationText(ends[0]), locationText(ends[1])));
-    fillNumbers(item, now.stableNorm(), rest.stableNorm());
+    fillLengths(item, now.stableNorm(), rest.stableNorm());
     for (int axis = 0; axis < 3; ++axis)
-      fillNumbers(child(item, axis, tr("along %1").arg(axisText(axis))), now[axis], rest[axis]);
+      fillLengths(child(item, axis, tr("along %1").arg(axisText(axis))), now[axis], rest[axis]);
     trim(item, 3);
   }
 

@@ -51,16 +51,36 @@ QString countsText(const Report& report)
   return words.isEmpty() ? QObject::tr("none") : words.join(", ");
 }
 
-/// The promised residuals as shares of the diagonal. Constraints far from the origin have limits of their own.
+/// The largest limit of a residual, model units. Constraints far from the origin have limits of their own.
+double largestLimit(const Report& report)
+{
+  double largest = kPromisedResidual * report.mesh.bboxDiagonal;
+  for (const ConstraintOutcome& outcome : report.constraints) largest = std::max(largest, outcome.limit.value_or(0));
+  return largest;
+}
+
+/// The promised residuals as shares of the diagonal.
 QString promiseText(const Report& report)
 {
-  double largest = kPromisedResidual;
-  for (const ConstraintOutcome& outcome : report.constraints)
-    largest = std::max(largest, outcome.limit.value_or(0) / report.mesh.bboxDiagonal);
+  const double largest = largestLimit(report) / report.mesh.bboxDiagonal;
   const QString usual = roundedText(kPromisedResidual);
   return largest <= kPromisedResidual * kRounding
              ? usual
              : QObject::tr("%1, and up to %2 where doubles lie farther apart").arg(usual, roundedText(largest));
+}
+
+QString residualText(const Report& report, const LengthStyle& style)
+{
+  if (countOf(report, ConstraintStatus::Missed) == 0) return metText(largestLimit(report), style.units);
+  return lengthText(report.solve.maxResidual, style);
+}
+
+QString relativeResidualText(const Report& report)
+{
+  if (countOf(report, ConstraintStatus::Missed) == 0)
+    return QObject::tr("met ≤ %1 of the diagonal").arg(promiseText(report));
+  return QObject::tr("%1 of the diagonal, promised %2")
+      .arg(roundedText(report.solve.maxResidualRelative), promiseText(report));
 }
 
 QString accuracyText(double accuracy)
@@ -89,7 +109,7 @@ QString rangeText(const RatioVerdict& ratios)
   return QObject::tr("%1 to %2 times as large as at rest").arg(roundedText(ratios.least), roundedText(ratios.most));
 }
 
-ReportLines reportLines(const Report& report, const ResultVerdict& result, const std::string& units)
+ReportLines reportLines(const Report& report, const ResultVerdict& result, const LengthStyle& style)
 {
   const SolveReport& solve = report.solve;
   ReportLines lines;
@@ -106,10 +126,8 @@ ReportLines reportLines(const Report& report, const ResultVerdict& result, const
   say("Weights", QObject::tr("Weights"), toText(name(solve.weights)));
   say("Solver", QObject::tr("Solver"), toText(name(solve.options.kind)));
   if (solve.status == SolveStatus::Failed || solve.status == SolveStatus::NotRun) return lines;
-  round("Residual", QObject::tr("Largest residual"), lengthText(solve.maxResidual, units), solve.maxResidual);
-  round("RelativeResidual", QObject::tr("Relative residual"),
-        QObject::tr("%1 of the diagonal, promised %2").arg(roundedText(solve.maxResidualRelative), promiseText(report)),
-        solve.maxResidualRelative);
+  round("Residual", QObject::tr("Largest residual"), residualText(report, style), solve.maxResidual);
+  round("RelativeResidual", QObject::tr("Relative residual"), relativeResidualText(report), solve.maxResidualRelative);
   say("Method", QObject::tr("Method"), QString::fromStdString(solve.method));
   say("Unknowns", QObject::tr("Unknowns"), countText(solve.unknowns));
   say("Factor", QObject::tr("Factor"), QObject::tr("%1 non-zeros").arg(countText(solve.factorNonzeros)));
@@ -161,8 +179,8 @@ class ReportPanel final : public RefreshedPanel {
     layout->addWidget(copy_, 0, Qt::AlignLeft);
     layout->addStretch(1);
     fill(*this, newScrollArea(content, tr("Solution")));
-    for (const auto signal :
-         {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::examined, &Editor::solveStateChanged})
+    for (const auto signal : {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::examined,
+                              &Editor::solveStateChanged, &Editor::decimalsChanged})
       connect(&editor, signal, this, &ReportPanel::refresh);
     refresh();
   }
@@ -240,7 +258,7 @@ class ReportPanel final : public RefreshedPanel {
     const bool isSolved = editor_.deformation() != nullptr;
     copy_->setVisible(isSolved);
     if (isSolved && editor_.isResultKnown()) result_ = editor_.report()->result;
-    show(isSolved ? reportLines(*editor_.report(), result_, editor_.deformedState()->list.units) : ReportLines());
+    show(isSolved ? shownLines() : ReportLines());
     const bool isCurrent = editor_.isCurrent();
     age_->setVisible(!isSolved || !isCurrent);
     age_->setText(!editor_.isOpen() ? tr("No mesh is open.")
@@ -315,8 +333,12 @@ class ReportPanel final : public RefreshedPanel {
   void copy()
   {
     if (editor_.deformation() == nullptr) return;
-    const ReportLines lines = reportLines(*editor_.report(), result_, editor_.deformedState()->list.units);
-    QGuiApplication::clipboard()->setText(reportText(lines));
+    QGuiApplication::clipboard()->setText(reportText(shownLines()));
+  }
+
+  [[nodiscard]] ReportLines shownLines() const
+  {
+    return reportLines(*editor_.report(), result_, {editor_.deformedState()->list.units, editor_.decimals()});
   }
 
   Editor& editor_;

@@ -47,6 +47,21 @@ class SphereTexts : public QWidget {
   const VtkView& view_;
 };
 
+constexpr double kWholeTurn = 360;
+
+/// What latitude and longitude say of a rotation. `largest`: degrees.
+QString sphereWords(double largest)
+{
+  const QString words = SpherePanel::tr(
+      "A point for each vertex. Latitude is the angle of its rotation: 0° at the top, 180° at the equator, 360° at the "
+      "bottom. Longitude is the axis.");
+  if (largest <= kWholeTurn) return words;
+  return words + ' ' +
+         SpherePanel::tr(
+             "Beyond 360° points lie above the surface and come up again on the far side of the axis: 540° at "
+             "the equator, 720° at the top.");
+}
+
 }  // namespace
 
 SpherePanel::SpherePanel(Editor& editor) : editor_(editor)
@@ -73,6 +88,9 @@ SpherePanel::SpherePanel(Editor& editor) : editor_(editor)
   auto* page = new QWidget;
   auto* column = newLayout<QVBoxLayout>(page, 0, 6);
   column->addLayout(header);
+  words_ = newText("sphereWords");
+  words_->setContentsMargins(6, 0, 6, 0);
+  column->addWidget(words_);
   column->addWidget(view_, 1);
 
   pages_ = new HintedContent(page, "sphereHint");
@@ -162,7 +180,7 @@ void SpherePanel::showPoints(const std::optional<Coloring>& coloring)
   for (const BoundaryRotation& value : placed_->boundary) largest = std::max(largest, angleDegrees(value.q));
   summary_->setText(
       tr("Prescribed rotations: %1, largest %2°").arg(placed_->boundary.size()).arg(roundedText(largest)));
-  summary_->setToolTip(tr("A point for each vertex: half its angle from the pole, towards its axis"));
+  words_->setText(sphereWords(largest));
   pages_->showContent();
   redraw();
 }
@@ -222,9 +240,7 @@ void SpherePanel::showTip(const QPoint& place)
   const Index unknown = editor_.model()->solverMesh.weld.unknownOf[*vertex];
   const Vector3 q = shown_->rotations.row(unknown).transpose();
   QString text = tr("vertex %1: %2°").arg(*vertex).arg(roundedText(angleDegrees(q)));
-  if (const double length = q.norm(); length > 0)
-    text += tr(" about (%1, %2, %3)")
-                .arg(roundedText(q.x() / length), roundedText(q.y() / length), roundedText(q.z() / length));
+  if (const double length = q.norm(); length > 0) text += tr(" about %1").arg(roundedText(Vector3(q / length)));
   QToolTip::showText(view_->mapToGlobal(place), text, view_);
 }
 

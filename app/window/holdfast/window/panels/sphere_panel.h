@@ -68,6 +68,7 @@ class SpherePanel : public RefreshedPanel {
   Editor& editor_;
   HintedContent* pages_ = nullptr;
   QLabel* summary_ = nullptr;
+  QLabel* words_ = nullptr;
   VtkView* view_ = nullptr;
   QWidget* texts_ = nullptr;  // over the view
   bool isDrawingDue_ = false;

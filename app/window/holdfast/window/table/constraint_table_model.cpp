@@ -82,6 +82,7 @@ ConstraintTableModel::ConstraintTableModel(Editor& editor, QObject* parent)
   connect(&editor, &Editor::stateChanged, this, &ConstraintTableModel::follow);
   connect(&editor, &Editor::deformed, this, &ConstraintTableModel::resultsChanged);
   connect(&editor, &Editor::solveStateChanged, this, &ConstraintTableModel::resultsChanged);
+  connect(&editor, &Editor::decimalsChanged, this, &ConstraintTableModel::follow);
   connect(&editor, &Editor::underCursorChanged, this, [this] {
     if (marked_ == editor_.underCursor().constraint) return;
     for (const auto& row : {std::exchange(marked_, editor_.underCursor().constraint), marked_})
@@ -132,8 +133,16 @@ QString ConstraintTableModel::text(int row, int column) const
   if (column == Status) return statusText(status(row));
   const std::optional<double> number = exactNumber(row, column);
   if (!number) return {};
-  if (isCoordinate(column)) return coordinateText(withoutNoise(*number, editor_.model()->solverMesh.diagonal));
-  return column == Residual ? shortText(*number) : roundedText(*number);
+  if (isCoordinate(column))
+    return coordinateText(withoutNoise(*number, editor_.model()->solverMesh.diagonal), editor_.lengthStyle());
+  return column == Residual ? residualText(*outcome(row)) : roundedText(*number);
+}
+
+QString ConstraintTableModel::residualText(const ConstraintOutcome& outcome) const
+{
+  if (isWithinLimit(outcome)) return metText(*outcome.limit, {});
+  const std::optional<int> decimals = editor_.decimals();
+  return decimals ? lengthText(*outcome.residual, {{}, decimals}) : shortText(*outcome.residual);
 }
 
 QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
@@ -180,6 +189,8 @@ QString ConstraintTableModel::toolTip(int row, int column) const
   if (column == On) return tr("Whether the constraint is enabled");
   if (column == Status) return statusMeaning(status(row)) + age;
   if (!number) return text(row, column);
+  if (column == Residual && isWithinLimit(*outcome(row)))
+    return tr("%1, within its limit of %2").arg(exact, exactText(*outcome(row)->limit)) + age;
   if (!isCoordinate(column)) return exact + age;
   const bool isHandle = std::holds_alternative<HandleConstraint>(constraint(row).what);
   return isHandle ? tr("%1, the handle's shift along %2").arg(exact, axisText(column - X))

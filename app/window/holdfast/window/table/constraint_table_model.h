@@ -60,6 +60,7 @@ class ConstraintTableModel : public QAbstractTableModel {
   [[nodiscard]] const ConstraintOutcome* outcome(int row) const { return editor_.outcome(constraint(row).name, row); }
   [[nodiscard]] std::optional<double> coordinate(int row, int column) const;
   [[nodiscard]] std::optional<double> exactNumber(int row, int column) const;
+  [[nodiscard]] QString residualText(const ConstraintOutcome& outcome) const;
   [[nodiscard]] QString toolTip(int row, int column) const;
   bool setCoordinate(const Rows& rows, int column, const QString& typed);
   bool rename(Index row, const QString& name);

@@ -8,8 +8,9 @@
 
 namespace holdfast {
 
-void VertexTableModel::show(std::shared_ptr<const DocumentState> state, Index constraint)
+void VertexTableModel::show(std::shared_ptr<const DocumentState> state, Index constraint, std::optional<int> decimals)
 {
+  decimals_ = what_ == What::Targets ? decimals : std::nullopt;
   const auto& handle = std::get<HandleConstraint>(state->list.constraints[constraint].what);
   const bool isLonger = static_cast<int>(std::get<VertexIds>(handle.select.what).ids.size()) != rowCount();
   if (isLonger) beginResetModel();
@@ -52,7 +53,7 @@ QVariant VertexTableModel::data(const QModelIndex& index, int role) const
   if (role != Qt::DisplayRole && role != Qt::EditRole && role != Qt::ToolTipRole) return {};
   if (index.column() == Vertex) return QString::number(vertex(index.row()));
   const double shown = number(index.row(), index.column());
-  return role == Qt::DisplayRole ? coordinateText(shown) : exactText(shown);
+  return role == Qt::DisplayRole ? coordinateText(shown, {{}, decimals_}) : exactText(shown);
 }
 
 QVariant VertexTableModel::headerData(int section, Qt::Orientation orientation, int role) const

@@ -18,8 +18,9 @@ class VertexTableModel : public QAbstractTableModel {
 
   explicit VertexTableModel(What what, QObject* parent = nullptr) : QAbstractTableModel(parent), what_(what) {}
 
-  /// Shows a handle of the list, which has what the table is about: one entry for each of its `VertexIds`.
-  void show(std::shared_ptr<const DocumentState> state, Index constraint);
+  /// Shows a handle of the list, which has what the table is about: one entry for each of its `VertexIds`. Targets have
+  /// `decimals`, where there are any.
+  void show(std::shared_ptr<const DocumentState> state, Index constraint, std::optional<int> decimals);
 
   [[nodiscard]] Index vertex(int row) const { return std::get<VertexIds>(handle().select.what).ids[row]; }
   [[nodiscard]] double number(int row, int column) const;
@@ -41,6 +42,7 @@ class VertexTableModel : public QAbstractTableModel {
   [[nodiscard]] const HandleConstraint& handle() const;
 
   What what_;
+  std::optional<int> decimals_;
   std::shared_ptr<const DocumentState> state_;
   Index constraint_ = 0;
 };

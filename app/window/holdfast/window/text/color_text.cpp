@@ -1,9 +1,48 @@
 #include "holdfast/window/text/color_text.h"
 
 #include <QObject>
+#include <cmath>
 #include <map>
 
+#include <holdfast/deform/deform.h>
+#include <holdfast/window/text/number_text.h>
+
 namespace holdfast {
+namespace {
+
+bool isLength(ColorBy field)
+{
+  switch (field) {
+    case ColorBy::ConstraintResidual:
+    case ColorBy::Displacement:
+    case ColorBy::DisplacementX:
+    case ColorBy::DisplacementY:
+    case ColorBy::DisplacementZ:
+    case ColorBy::DisplacementNormal:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+QString valueText(double value, const ValueMeaning& meaning, std::optional<int> decimals)
+{
+  if (std::isnan(value)) return QObject::tr("none here");
+  if (meaning.promise && value <= *meaning.promise) return metText(*meaning.promise, {});
+  return isLength(meaning.field) ? numberText(value, {{}, decimals}) : roundedText(value);
+}
+
+std::optional<Vector3> rotationAxis(const Model& model, const DeformResult& deformation, const SurfacePoint& point)
+{
+  Vector3 q = Vector3::Zero();
+  for (const Term& term : point.terms)
+    q += term.coefficient * deformation.rotations.row(model.solverMesh.weld.unknownOf[term.index]).transpose();
+  const double length = q.stableNorm();
+  return length > 0 ? std::optional<Vector3>(q / length) : std::nullopt;
+}
+
 FieldText fieldText(ColorBy field, const QString& units, Weights weights)
 {
   const QString length = units.isEmpty() ? QObject::tr("that of the model's coordinates") : units;

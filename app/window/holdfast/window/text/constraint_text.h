@@ -25,6 +25,12 @@ namespace holdfast {
 /// "met", "conflicting", ...; "not solved" where there is none yet.
 [[nodiscard]] QString statusText(std::optional<ConstraintStatus> status);
 
+/// Whether what is missed is no more than rounding may leave.
+[[nodiscard]] inline bool isWithinLimit(const ConstraintOutcome& outcome)
+{
+  return outcome.residual && outcome.limit && *outcome.residual <= *outcome.limit;
+}
+
 /// What the status means, one sentence.
 [[nodiscard]] QString statusMeaning(std::optional<ConstraintStatus> status);
 

@@ -16,8 +16,28 @@ constexpr int kShortText = 6;  // characters that a column of coordinates has ro
 
 constexpr double kLongWhole = 1e5;
 
+// From here on decimals are no help to a reader.
+constexpr double kLongestPlain = 1e9;
+
 // The share of the largest number below which another one is rounding.
 constexpr double kRoundingShare = 1e-14;
+
+QString withUnit(const QString& number, const std::string& units)
+{
+  return units.empty() ? number : number + ' ' + QString::fromStdString(units);
+}
+
+bool isZero(const QString& number)
+{
+  return std::none_of(number.begin(), number.end(), [](QChar letter) { return letter >= '1' && letter <= '9'; });
+}
+
+/// "(1, 2.5, 3)"
+template <class Write>
+QString tupleText(const Vector3& vector, Write&& write)
+{
+  return '(' + write(vector.x()) + ", " + write(vector.y()) + ", " + write(vector.z()) + ')';
+}
 
 }  // namespace
 
@@ -42,8 +62,21 @@ double withoutNoise(double value, double scale)
   return std::abs(value) <= kRoundingShare * scale ? 0 : value;
 }
 
-QString coordinateText(double value)
+QString numberText(double value, const LengthStyle& style)
 {
+  if (!style.decimals || !(std::abs(value) < kLongestPlain)) return roundedText(value);
+  const QString number = toText(fmt::format("{:.{}f}", value, *style.decimals));
+  return isZero(number) && number.startsWith('-') ? number.mid(1) : number;
+}
+
+QString metText(double limit, const std::string& units)
+{
+  return withUnit(QObject::tr("met ≤ %1").arg(shortText(limit)), units);
+}
+
+QString coordinateText(double value, const LengthStyle& style)
+{
+  if (style.decimals) return numberText(value, style);
   const QString exact = exactText(value);
   return exact.size() <= kShortText ? exact : toText(fmt::format("{:.5g}", value));
 }
@@ -51,6 +84,7 @@ QString coordinateText(double value)
 QString fittingText(double value, const QString& text, const std::function<bool(const QString&)>& fits)
 {
   QStringList texts{text};
+  if (!typedNumber(text) && text.contains(' ')) return fits(text) ? text : text.section(' ', 0, 0);
   // From here on all digits before the point need less room than a power of ten.
   if (std::abs(value) >= kLongWhole) texts << toText(fmt::format("{:.0f}", value));
   for (const int digits : {4, 3, 2}) texts << toText(fmt::format("{:.{}g}", value, digits));
@@ -71,22 +105,28 @@ QString countText(Index count, const char* one, const char* many)
   return count == 1 ? QObject::tr(one) : QObject::tr(many).arg(countText(count));
 }
 
-QString lengthText(double length, const std::string& units)
+QString lengthText(double length, const LengthStyle& style)
 {
-  return units.empty() ? roundedText(length) : roundedText(length) + ' ' + QString::fromStdString(units);
+  const QString number = numberText(length, style);
+  if (length == 0 || !isZero(number)) return withUnit(number, style.units);
+  return withUnit('<' + numberText(std::pow(10, -*style.decimals), style), style.units);
 }
 
 QString roundedText(const Vector3& vector)
 {
-  const auto number = [scale = vector.cwiseAbs().maxCoeff()](double value) {
-    return roundedText(withoutNoise(value, scale));
-  };
-  return '(' + number(vector.x()) + ", " + number(vector.y()) + ", " + number(vector.z()) + ')';
+  return placeText(vector, {});
+}
+
+QString placeText(const Vector3& place, const LengthStyle& style)
+{
+  return tupleText(place, [&, scale = place.cwiseAbs().maxCoeff()](double value) {
+    return numberText(withoutNoise(value, scale), style);
+  });
 }
 
 QString exactText(const Vector3& vector)
 {
-  return '(' + exactText(vector.x()) + ", " + exactText(vector.y()) + ", " + exactText(vector.z()) + ')';
+  return tupleText(vector, [](double value) { return exactText(value); });
 }
 
 std::optional<double> typedNumber(const QString& typed)

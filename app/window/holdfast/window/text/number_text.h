@@ -29,10 +29,23 @@ namespace holdfast {
 /// 0 for what is only rounding beside numbers of the size of `scale`.
 [[nodiscard]] double withoutNoise(double value, double scale);
 
-/// The exact text where it is short, five significant digits otherwise: for tables, where columns are narrow.
-[[nodiscard]] QString coordinateText(double value);
+/// How a document's lengths are written.
+struct LengthStyle {
+  std::string units;                           ///< the user's name of the model's length; may be empty
+  std::optional<int> decimals = std::nullopt;  ///< behind the point; without it four significant digits
+};
 
-/// `text` of `value` if it fits, or the first that does of fewer digits, two at least; else "…".
+/// A length or a coordinate without its unit: "12.500" of three decimals.
+[[nodiscard]] QString numberText(double value, const LengthStyle& style);
+
+/// A coordinate of a narrow column: with the decimals of `style`; without them exact where that is short, else with
+/// five significant digits.
+[[nodiscard]] QString coordinateText(double value, const LengthStyle& style = {});
+
+/// What a residual within its limit reads: "met ≤ 1.6e-10 mm". Digits below the limit are rounding.
+[[nodiscard]] QString metText(double limit, const std::string& units);
+
+/// `text` of `value` if it fits, or the first that does of fewer digits, two at least; else "…". Of words the first.
 [[nodiscard]] QString fittingText(double value, const QString& text, const std::function<bool(const QString&)>& fits);
 
 [[nodiscard]] inline QString axisText(int axis)
@@ -45,11 +58,13 @@ namespace holdfast {
 /// "1 vertex", "12 vertices" of "1 vertex" and "%1 vertices".
 [[nodiscard]] QString countText(Index count, const char* one, const char* many);
 
-/// "0.42 mm", rounded; without a unit where `units` is empty.
-[[nodiscard]] QString lengthText(double length, const std::string& units);
+/// "0.42 mm" of a length that is not negative; "<0.001 mm" where the decimals would make it 0.
+[[nodiscard]] QString lengthText(double length, const LengthStyle& style);
 
 /// "(1, 2.5, 3)", rounded and `withoutNoise`, or exact.
 [[nodiscard]] QString roundedText(const Vector3& vector);
+/// The same with the decimals of `style`.
+[[nodiscard]] QString placeText(const Vector3& place, const LengthStyle& style);
 [[nodiscard]] QString exactText(const Vector3& vector);
 
 /// What the user typed, blanks around it aside, as the nearest double; nothing where that is no finite number.

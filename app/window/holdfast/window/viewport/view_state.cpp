@@ -41,6 +41,13 @@ Value valueNamed(const Names& names, const std::optional<std::string>& name, Val
   return found == names.end() ? otherwise : static_cast<Value>(found - names.begin());
 }
 
+/// None where the field chooses, and for names of other versions.
+std::optional<ColorMap> mapNamed(const std::optional<std::string>& name)
+{
+  const auto found = std::find(kMapNames.begin(), kMapNames.end(), name);
+  return found == kMapNames.end() ? std::nullopt : std::optional(static_cast<ColorMap>(found - kMapNames.begin()));
+}
+
 QString upAxisSetting(const LoadedMesh& mesh)
 {
   return "upAxis/" + QString::fromStdString(mesh.path.extension().string()).toLower();
@@ -68,9 +75,10 @@ ViewState viewStateOf(Viewport& viewport)
     state.scale = kLogarithmic;
     state.decades = logarithmic->decades;
   }
-  state.colorMap = nameOf(kMapNames, colors.map);
+  if (colors.map) state.colorMap = nameOf(kMapNames, *colors.map);
   if (colors.bands > 0) state.bands = colors.bands;
   if (display.legend != LegendSide::Right) state.legend = nameOf(kLegendNames, display.legend);
+  state.decimals = viewport.editor().decimals();
   state.restShape = nameOf(kRestNames, display.rest);
   state.meshEdges = nameOf(kEdgeNames, display.edges);
   state.surface = nameOf(kSurfaceNames, display.surface);
@@ -84,7 +92,7 @@ void apply(const ViewState& state, Viewport& viewport)
 {
   ColorSettings colors = viewport.colors();
   colors.field = valueNamed(colorByNames(), state.colorBy, colors.field);
-  colors.map = valueNamed(kMapNames, state.colorMap, colors.map);
+  if (state.colorBy || state.colorMap) colors.map = mapNamed(state.colorMap);
   if (state.colorBy) colors.bands = static_cast<int>(std::min<Index>(state.bands.value_or(0), kMostBands));
   if (state.range)
     colors.range = FixedRange{(*state.range)[0], (*state.range)[1]};
@@ -103,6 +111,8 @@ void apply(const ViewState& state, Viewport& viewport)
     display.rotations = *state.showsRotations ? RotationDisplay::Arrows : RotationDisplay::Hidden;
   if (state.colorBy) display.legend = valueNamed(kLegendNames, state.legend, LegendSide::Right);
   viewport.setDisplay(display);
+  // A view that names no field is that of a mesh: lengths stay as they are written.
+  if (state.colorBy || state.decimals) viewport.editor().setDecimals(state.decimals);
   if (state.hiddenFaces) viewport.hideFaces(*state.hiddenFaces);
 
   viewport.setUpAxis(valueNamed(kAxisNames, state.upAxis, viewport.upAxis()));

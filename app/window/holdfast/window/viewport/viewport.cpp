@@ -137,6 +137,7 @@ void Viewport::openDocument()
   renderer_->RemoveAllViewProps();
   contents_.reset();
   coloring_.reset();
+  framed_.reset();
   hidden_.reset();
   Q_EMIT hiddenChanged(false);
   if (editor_.isOpen()) {
@@ -207,15 +208,15 @@ void Viewport::showResult()
   prepareToMove();
   if (std::exchange(shownShare_, 1) != 1) Q_EMIT shownShareChanged(1);
   showSurface();
+  contents_->showShape(*editor_.deformation());
+  showConstraints();
+  showColors();
   // So far the picture showed the mesh at rest. A camera that has moved since stays where it is.
   if (const auto eye = std::exchange(openedFrom_, std::nullopt);
       eye && *eye == Vector3(renderer_->GetActiveCamera()->GetPosition())) {
     frameAll();
     forgetViews();
   }
-  contents_->showShape(*editor_.deformation());
-  showConstraints();
-  showColors();
 }
 
 void Viewport::showConstraints()
@@ -235,7 +236,8 @@ void Viewport::showColors()
 {
   coloring_.reset();
   if (const auto& deformation = editor_.deformation())
-    coloring_ = coloringOf(*editor_.model(), *deformation, colors_, editor_.deformedState()->list.units);
+    coloring_ = coloringOf(*editor_.model(), *deformation, colors_, editor_.deformedState()->list.units,
+                           contents_->mesh().shaded().get());
   if (coloring_ && !saysAnything(*coloring_, colors_)) coloring_.reset();
   contents_->color(coloring_);
   overlay_->followLegend();
@@ -256,12 +258,14 @@ void Viewport::setColors(const ColorSettings& settings)
 {
   colors_ = settings;
   if (contents_) showColors();
+  keepClearOfLegend();
 }
 
 void Viewport::setDisplay(const DisplaySettings& settings)
 {
   display_ = settings;
   showConstraints();
+  keepClearOfLegend();
 }
 
 const std::vector<ConstraintMark>& Viewport::marks() const noexcept

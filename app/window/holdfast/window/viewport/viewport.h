@@ -7,6 +7,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <vtkNew.h>
@@ -47,6 +48,8 @@ class Viewport : public VtkView {
 
   /// Draws an example for `MainWindow::warmUp`. Before a document is opened.
   void warmUp(const ExampleDocument& example);
+
+  [[nodiscard]] Editor& editor() noexcept { return editor_; }
 
   void setTool(Tool* tool);
   /// A tool beside every chosen tool: the gizmo.
@@ -189,6 +192,8 @@ class Viewport : public VtkView {
   void forgetViews();
   void noteView();
   void fitCamera(const ViewFrame& frame);
+  [[nodiscard]] FreeSides freeSides() const;
+  void keepClearOfLegend();
   void framePlaces(const Positions& places);
   void schedulePicture();
   void noteSwap();
@@ -216,7 +221,8 @@ class Viewport : public VtkView {
   double shownShare_ = 1;
   std::optional<Vector3> openedFrom_;  // the camera's place until the first deformation
   UpAxis upAxis_ = UpAxis::Z;
-  std::optional<Camera> shownView_;  // in the latest picture
+  std::optional<Camera> shownView_;                     // in the latest picture
+  std::optional<std::pair<Camera, FreeSides>> framed_;  // when all of the mesh was framed last
   std::vector<Camera> earlierViews_;
   std::vector<Camera> laterViews_;  // the next one last
   bool isNewView_ = false;          // the next change of the camera leads to one

@@ -16,9 +16,13 @@
 namespace holdfast {
 namespace {
 
-// For the legend and the axes in the corner, and at most a share of the width.
+// For the axes in the corner and for a legend of usual numbers, and at most a share of the width.
 constexpr double kPixelsFree = 140;
 constexpr double kMostFree = 0.25;
+
+// A legend of long numbers takes more. What is left shows the mesh.
+constexpr double kMostForLegend = 0.45;
+constexpr double kBesideLegend = 14;
 
 // The gizmo has a size in pixels, so its place depends on the camera: a step leaves at most half of the error of the
 // one before in a picture of 460 pixels.
@@ -91,8 +95,7 @@ void Viewport::noteView()
 void Viewport::fitCamera(const ViewFrame& frame)
 {
   const double aspect = static_cast<double>(width()) / std::max(1, height());
-  const double share = std::min(kPixelsFree / std::max(1, width()), kMostFree);
-  const FreeSides free{display_.legend == LegendSide::Left ? share : 0, share};
+  const FreeSides free = freeSides();
   vtkCamera& camera = *renderer_->GetActiveCamera();
   Positions places = shownPositions();
   fit(camera, frame, places, aspect, free);
@@ -105,7 +108,32 @@ void Viewport::fitCamera(const ViewFrame& frame)
     for (std::size_t k = 0; k < extent.size(); ++k) places.row(count + static_cast<Index>(k)) = extent[k];
     fit(camera, frame, places, aspect, free);
   }
+  framed_ = {cameraOf(camera), free};
   cameraMoved();
+}
+
+FreeSides Viewport::freeSides() const
+{
+  const double pixels = std::max(1, width());
+  const double usual = std::min(kPixelsFree / pixels, kMostFree);
+  const double legend = std::clamp((legendBox().width() + kBesideLegend) / pixels, usual, kMostForLegend);
+  switch (display_.legend) {
+    case LegendSide::Left:
+      return {legend, usual};
+    case LegendSide::Right:
+      return {0, legend};
+    case LegendSide::Hidden:
+      break;
+  }
+  return {0, usual};
+}
+
+/// The legend may take more room than when the mesh was framed. A camera that has moved since stays where it is.
+void Viewport::keepClearOfLegend()
+{
+  if (!editor_.isOpen() || !framed_ || framed_->first != cameraOf(*renderer_->GetActiveCamera())) return;
+  const FreeSides now = freeSides();
+  if (now.left > framed_->second.left || now.right > framed_->second.right) frameAll();
 }
 
 void Viewport::frameVertices(const std::vector<Index>& vertices)

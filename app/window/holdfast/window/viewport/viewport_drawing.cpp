@@ -212,6 +212,7 @@ void Viewport::resizeEvent(QResizeEvent* event)
   overlay_->setGeometry(rect());
   if (contents_) contents_->setPixelRatio(pixelRatio());
   orientation_->SetPixelRatio(pixelRatio());
+  keepClearOfLegend();
   scheduleRender();
 }
 

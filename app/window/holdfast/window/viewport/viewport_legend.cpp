@@ -9,6 +9,7 @@
 #include <QPalette>
 #include <QPixmapCache>
 #include <algorithm>
+#include <limits>
 
 #include <holdfast/widgets/color/scalar_legend.h>
 #include <holdfast/window/controls/status_style.h>
@@ -27,6 +28,10 @@ constexpr double kIcon = 14;
 constexpr double kNoteLines = 5;
 constexpr double kHalo = 4;
 constexpr int kHaloOpacity = 200;
+// Numbers that are closer, in lines, would touch.
+constexpr double kLeastLineShare = 0.9;
+// Of the colours that are not on the scale, in lines.
+constexpr double kOutsideShare = 0.7;
 
 /// The scale from the top down as a picture of one pixel's width.
 QImage pictureOf(const ColorScale& scale, int height)
@@ -68,11 +73,23 @@ class Layout {
   void addScale(const ColorScale& scale)
   {
     const double height = std::clamp(0.34 * area_.height(), 90.0, 260.0);
-    bar_ = QRectF(area_.right() - kScaleWidth, top_ - height - metrics_.height() / 2, kScaleWidth, height);
-    for (const Tick& tick : ticksOf(scale)) addTick(scale, tick.value, QString::fromStdString(tick.text), kShortTick);
+    const double outside = scale.outside == Outside::Marked ? 1.6 * metrics_.height() : 0;
+    bar_ = QRectF(area_.right() - kScaleWidth, top_ - height - metrics_.height() / 2 - outside, kScaleWidth, height);
+    double last = std::numeric_limits<double>::infinity();
+    for (const Tick& tick : ticksOf(scale)) {
+      const double y = heightOf(scale, tick.value);
+      if (last - y < kLeastLineShare * metrics_.height()) continue;
+      addTick(scale, tick.value, QString::fromStdString(tick.text), kShortTick);
+      last = y;
+    }
+    if (outside > 0) {
+      addOutside(bar_.bottom() + metrics_.height(), kBelowColor,
+                 QCoreApplication::translate("ViewportLegend", "below"));
+      addOutside(bar_.top() - metrics_.height(), kBeyondColor, QCoreApplication::translate("ViewportLegend", "beyond"));
+    }
     if (scale.promise && *scale.promise > scale.low && *scale.promise < scale.high)
       addTick(scale, *scale.promise, QCoreApplication::translate("ViewportLegend", "promised"), kLongTick);
-    top_ = bar_.top() - kMargin / 2;
+    top_ = bar_.top() - outside - kMargin / 2;
     const QStringList title = QString::fromStdString(scale.title).split('\n');
     for (auto line = title.rbegin(); line != title.rend(); ++line) addLine(*line, 1);
     top_ -= kMargin;
@@ -100,6 +117,7 @@ class Layout {
     for (const auto& [place, text] : words_)
       box |= QRectF(place.x(), place.y() - metrics_.ascent(), metrics_.horizontalAdvance(text), metrics_.height());
     for (const auto& [place, status] : icons_) box |= place;
+    for (const auto& [place, color] : outside_) box |= place;
     return box;
   }
 
@@ -118,6 +136,10 @@ class Layout {
       painter.drawImage(bar_, pictureOf(*scale, static_cast<int>(bar_.height())));
       painter.drawRect(bar_);
     }
+    for (const auto& [place, color] : outside_) {
+      painter.fillRect(place, color);
+      painter.drawRect(place);
+    }
     painter.drawLines(ticks_);
     for (const auto& [place, text] : words_) painter.drawText(place, text);
     for (const auto& [place, status] : icons_) statusIcon(status, palette).paint(&painter, place);
@@ -132,9 +154,22 @@ class Layout {
 
   void addTick(const ColorScale& scale, double value, const QString& text, double length)
   {
-    const double y = bar_.bottom() - shareOf(scale, value) * bar_.height();
+    const double y = heightOf(scale, value);
     ticks_.push_back({bar_.left() - length, y, bar_.left(), y});
     addText(bar_.left() - length - 4, y, text);
+  }
+
+  [[nodiscard]] double heightOf(const ColorScale& scale, double value) const
+  {
+    return bar_.bottom() - shareOf(scale, value) * bar_.height();
+  }
+
+  /// What is not on the scale.
+  void addOutside(double middle, const Color& color, const QString& text)
+  {
+    const double height = kOutsideShare * metrics_.height();
+    outside_.emplace_back(QRectF(bar_.left(), middle - height / 2, bar_.width(), height), toQColor(color));
+    addText(bar_.left() - kShortTick - 4, middle, text);
   }
 
   QRectF area_;
@@ -144,6 +179,7 @@ class Layout {
   QVector<QLineF> ticks_;
   std::vector<std::pair<QPointF, QString>> words_;  // by the beginnings of their baselines
   std::vector<std::pair<QRect, ConstraintStatus>> icons_;
+  std::vector<std::pair<QRectF, QColor>> outside_;
 };
 
 /// At the right of `area`.

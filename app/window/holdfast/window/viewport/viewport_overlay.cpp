@@ -13,6 +13,7 @@
 #include <holdfast/widgets/interaction/surface_ruler_widget.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 #include <holdfast/window/controls/theme.h>
+#include <holdfast/window/model/field_value.h>
 #include <holdfast/window/text/color_text.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
@@ -32,11 +33,21 @@ constexpr double kRulerGap = 4;
 // A share of the way from the eye: parts of the surface that touch a place do not hide it.
 constexpr double kHidden = 1 - 1e-6;
 
-QString valueText(const Coloring& coloring, const SurfacePoint& point)
+bool isRotation(ColorBy field)
 {
-  const double value = valueAt(coloring.values, point);
-  return QString::fromStdString(coloring.scale.title).replace('\n', ' ') + ": " +
-         (std::isnan(value) ? ViewportOverlay::tr("none here") : roundedText(value));
+  return field == ColorBy::Rotation || field == ColorBy::Angle;
+}
+
+/// As the ruler says it, with the decimals of the document.
+QString rulerText(SurfaceRulerRepresentation& ruler, const LengthStyle& style)
+{
+  if (!style.decimals) return toText(ruler.GetLabel());
+  const Vector3 vector = ruler.GetVector();
+  const QString along =
+      QString(": %1, %2, %3")
+          .arg(numberText(vector.x(), style), numberText(vector.y(), style), numberText(vector.z(), style));
+  return lengthText(ruler.GetDistance(), style) + (ruler.GetShowVector() ? along : QString()) +
+         ViewportOverlay::tr(" (rest %1)").arg(lengthText(ruler.GetRestDistance(), {{}, style.decimals}));
 }
 
 /// `plate` above the middle of a line, or beside it where the line is upright.
@@ -90,7 +101,9 @@ ViewportOverlay::ViewportOverlay(Editor& editor, Viewport& viewport)
   connect(&clock_, &QTimer::timeout, this, &ViewportOverlay::followState);
   connect(&editor_, &Editor::solveStateChanged, &clock_,
           [this] { editor_.solveState() == SolveState::Solving ? clock_.start() : clock_.stop(); });
-  connect(&editor_, &Editor::annotationsChanged, this, qOverload<>(&QWidget::update));
+  for (const auto& signal : {&Editor::annotationsChanged, &Editor::decimalsChanged})
+    connect(&editor_, signal, this, qOverload<>(&QWidget::update));
+  connect(&editor_, &Editor::decimalsChanged, this, &ViewportOverlay::followPicture);
   connect(&viewport_, &Viewport::hiddenChanged, this, &ViewportOverlay::followState);
   connect(&viewport_, &Viewport::rendered, this, &ViewportOverlay::followPicture);
   connect(&editor_, &Editor::underCursorChanged, this, &ViewportOverlay::followCursor);
@@ -175,14 +188,30 @@ QString ViewportOverlay::cursorText() const
   const auto& [pick, constraint] = editor_.underCursor();
   if (!pick || !editor_.isOpen()) return {};
   const SurfacePoint point = pointOf(pick->location, editor_.model()->mesh);
-  QStringList lines{locationText(pick->location), roundedText(positionOf(point, viewport_.surface()->positions()))};
-  if (const auto& coloring = viewport_.coloring()) lines << valueText(*coloring, point);
+  QStringList lines{locationText(pick->location),
+                    placeText(positionOf(point, viewport_.surface()->positions()), editor_.lengthStyle())};
+  if (const auto& coloring = viewport_.coloring())
+    lines << QString::fromStdString(coloring->scale.title).replace('\n', ' ') + ": " +
+                 valueAtPlace(*coloring, pick->location);
   const auto& state = editor_.deformedState();
   if (constraint && state && *constraint < static_cast<Index>(state->list.constraints.size())) {
     const Constraint& found = state->list.constraints[*constraint];
     lines << quoted(found.name) + ": " + statusText(editor_.status(found, *constraint));
   }
   return lines.join('\n');
+}
+
+/// Of a field of rotations with the axis.
+QString ViewportOverlay::valueAtPlace(const Coloring& coloring, const SurfaceLocation& location) const
+{
+  const ColorBy field = viewport_.colors().field;
+  QString text =
+      valueText(fieldValue(editor_, coloring, location), {field, coloring.scale.promise}, editor_.decimals());
+  if (!isRotation(field) || editor_.deformation() == nullptr) return text;
+  const SurfacePoint point = pointOf(location, editor_.model()->mesh);
+  if (const auto axis = rotationAxis(*editor_.model(), *editor_.deformation(), point))
+    text += tr(" about %1").arg(roundedText(*axis));
+  return text;
 }
 
 QRectF ViewportOverlay::cursorNote() const
@@ -236,7 +265,7 @@ ViewportOverlay::RulerLabels ViewportOverlay::currentRulerLabels() const
     const auto a = toDisplay(display, ruler->GetHandle(0).GetPlace());
     const auto b = toDisplay(display, ruler->GetHandle(1).GetPlace());
     if (!a || !b) continue;
-    const QString text = toText(ruler->GetLabel());
+    const QString text = rulerText(*ruler, editor_.lengthStyle());
     const QRectF plate = besideLine(plateOf(text), viewport_.toPlace(*a), viewport_.toPlace(*b));
     taken.push_back(movedClear(plate, rect(), taken));
     labels.emplace_back(taken.back() - kNotePadding, text);
@@ -266,8 +295,8 @@ std::vector<ViewportOverlay::ShownProbe> ViewportOverlay::shownProbes() const
     ShownProbe probe{viewport_.toPlace(*pixel), hit && hit->t < kHidden, {}, QString::number(k + 1)};
     if (!rect().contains(probe.place.toPoint())) continue;
     if (const auto& coloring = viewport_.coloring())
-      if (const double value = valueAt(coloring->values, point); !std::isnan(value))
-        probe.text += ": " + roundedText(value);
+      if (!std::isnan(fieldValue(editor_, *coloring, probes[k])))
+        probe.text += ": " + valueAtPlace(*coloring, probes[k]);
     QRectF plate = plateOf(probe.text);
     plate.moveBottomLeft(probe.place + kProbeLabelOffset);
     taken.push_back(movedClear(plate, rect(), taken));

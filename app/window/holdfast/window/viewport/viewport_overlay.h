@@ -60,6 +60,7 @@ class ViewportOverlay : public QWidget {
   /// In the lower left corner.
   [[nodiscard]] QRectF cursorNote() const;
   [[nodiscard]] QString cursorText() const;
+  [[nodiscard]] QString valueAtPlace(const Coloring& coloring, const SurfaceLocation& location) const;
   /// In the upper left corner: why the picture is not that of the document.
   [[nodiscard]] QString stateText() const;
 

@@ -299,6 +299,7 @@ void MainWindow::showPreferences()
     editor_.edit(tr("unit of length"), std::move(list));
   };
   newPreferencesDialog({choices_, editor_.isOpen() ? QString::fromStdString(editor_.list().units) : unit_, setUnitOfAll,
+                        editor_.decimals(), [this](std::optional<int> decimals) { editor_.setDecimals(decimals); },
                         findChild<QAction*>("resetSettings")},
                        this)
       ->open();

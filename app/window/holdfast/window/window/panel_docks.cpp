@@ -16,6 +16,13 @@ namespace {
 constexpr double kPanelShare = 0.42;
 constexpr int kLeastPanelWidth = 340;
 constexpr int kMostPanelWidth = 680;
+constexpr int kLeastPictureWidth = 640;
+
+/// As wide as panels may be: the picture comes first.
+int mostPanelWidth(int windowWidth)
+{
+  return std::clamp(windowWidth - kLeastPictureWidth, kLeastPanelWidth, kMostPanelWidth);
+}
 
 /// The vertex that a point under the cursor is nearest to, as its weights say.
 Index nearestVertex(const SurfacePick& pick, const Model& model)
@@ -60,6 +67,7 @@ PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
             add(tr("Measured"), "measuredDock", newMeasuredPanel(editor)),
             add(tr("Solution"), "reportDock", newReportPanel(editor))};
   arrange();
+  window_.installEventFilter(this);
 
   connect(colors_, &ColorPanel::settingsChanged, &viewport_, &Viewport::setColors);
   connect(colors_, &ColorPanel::displaySettingsChanged, &viewport_, &Viewport::setDisplay);
@@ -113,9 +121,31 @@ void PanelDocks::arrange()
 
 void PanelDocks::share(const QSize& size)
 {
-  const int width = std::clamp(static_cast<int>(kPanelShare * size.width()), kLeastPanelWidth, kMostPanelWidth);
+  const int width =
+      std::clamp(static_cast<int>(kPanelShare * size.width()), kLeastPanelWidth, mostPanelWidth(size.width()));
   window_.resizeDocks({upper_.front()}, {width}, Qt::Horizontal);
   window_.resizeDocks({upper_.front(), lower_.front()}, {size.height() / 2, size.height() / 2}, Qt::Vertical);
+}
+
+bool PanelDocks::eventFilter(QObject* watched, QEvent* event)
+{
+  // Once the window has laid itself out.
+  if (watched == &window_ && event->type() == QEvent::Resize) QTimer::singleShot(0, this, &PanelDocks::yield);
+  return QObject::eventFilter(watched, event);
+}
+
+/// Where the window becomes narrower Qt takes the room from the picture alone.
+void PanelDocks::yield()
+{
+  const int most = mostPanelWidth(window_.width());
+  const auto isTooWide = [&](QDockWidget* dock) {
+    return dock->isVisible() && !dock->isFloating() && dock->width() > most &&
+           window_.dockWidgetArea(dock) == Qt::RightDockWidgetArea;
+  };
+  for (const auto* stack : {&upper_, &lower_}) {
+    const auto wide = std::find_if(stack->begin(), stack->end(), isTooWide);
+    if (wide != stack->end()) return window_.resizeDocks({*wide}, {most}, Qt::Horizontal);
+  }
 }
 
 void PanelDocks::fillMenu(QMenu& menu) const

@@ -32,7 +32,11 @@ class PanelDocks : public QObject {
   /// Brings the panel of colours to the front, with the keys.
   void showColors();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  void yield();
   QDockWidget* add(const QString& title, const QString& objectName, QWidget* panel);
   void arrange();
   void countConflicts();

@@ -4,6 +4,7 @@
 #include <QActionGroup>
 #include <QDialog>
 #include <functional>
+#include <optional>
 
 namespace holdfast {
 
@@ -11,6 +12,8 @@ struct Preferences {
   QList<QActionGroup*> choices;  ///< of menus, with their titles as object names
   QString unit;                  ///< of lengths; may be empty
   std::function<void(const QString&)> setUnit;
+  std::optional<int> decimals;  ///< of lengths; none: four significant digits
+  std::function<void(std::optional<int>)> setDecimals;
   QAction* reset = nullptr;  ///< puts everything back
 };
 

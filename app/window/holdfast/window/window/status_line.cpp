@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <holdfast/deform/outcomes.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/text/number_text.h>
@@ -55,7 +56,7 @@ StatusLine::StatusLine(Editor& editor, QWidget* parent)
     connect(&editor_, signal, this, &StatusLine::showNumbers);
   for (const auto& signal : {&Editor::opened, &Editor::deformed, &Editor::examined})
     connect(&editor_, signal, this, &StatusLine::showResult);
-  for (const auto& signal : {&Editor::deformed, &Editor::vertexSelectionChanged})
+  for (const auto& signal : {&Editor::deformed, &Editor::vertexSelectionChanged, &Editor::decimalsChanged})
     connect(&editor_, signal, this, &StatusLine::measureSelection);
   connect(&editor_, &Editor::solveStateChanged, this, &StatusLine::showStep);
   connect(&editor_, &Editor::stepChanged, this, &StatusLine::showStep);
@@ -98,21 +99,21 @@ void StatusLine::measureSelection()
   isMeasureDue_ = measure_.isRunning();
   if (isMeasureDue_) return;
   measure_.start([this, model = editor_.model(), surface = editor_.surface(), vertices = editor_.selectedVertices(),
-                  units = editor_.list().units](Progress&) -> BackgroundJob::Finish {
+                  style = editor_.lengthStyle()](Progress&) -> BackgroundJob::Finish {
     const RegionSize size = sizeOfRegion(vertices, model->triangulation.triangles, surface->positions());
-    return [this, size, units, count = static_cast<Index>(vertices.size())] {
+    return [this, size, style, count = static_cast<Index>(vertices.size())] {
       const Vector3 extent = size.box.sizes();
-      const QString unit = units.empty() ? QString() : ' ' + QString::fromStdString(units);
+      const QString unit = style.units.empty() ? QString() : ' ' + QString::fromStdString(style.units);
       const QString square = unit.isEmpty() ? unit : unit + QStringLiteral("²");
       selection_->setText(QStringList{
           countText(count, "1 vertex", "%1 vertices"), countText(size.triangles, "1 triangle", "%1 triangles"),
           tr("area %1").arg(roundedText(size.area) + square),
-          QStringList{roundedText(extent.x()), roundedText(extent.y()), roundedText(extent.z())}.join(
+          QStringList{numberText(extent.x(), style), numberText(extent.y(), style), numberText(extent.z(), style)}.join(
               QStringLiteral(" × ")) +
               unit}
                               .join("  ·  "));
       selection_->setToolTip(tr("Selected, from %1 to %2%3. Triangles and area: those with all corners selected.")
-                                 .arg(roundedText(size.box.min()), roundedText(size.box.max()), unit));
+                                 .arg(placeText(size.box.min(), style), placeText(size.box.max(), style), unit));
       showNumbers();
       if (isMeasureDue_) measureSelection();
     };
@@ -148,12 +149,15 @@ void StatusLine::showNumbers()
   QString times;
   if (const auto& deformation = editor_.deformation()) {
     const SolveReport& solve = deformation->report.solve;
+    const bool isAllMet = countOf(deformation->report, ConstraintStatus::Missed) == 0;
     times = tr("Time: %1 ms set-up, %2 ms decomposition, %3 ms solution. ")
                 .arg(milliseconds(solve.seconds.setup), milliseconds(solve.seconds.factorization),
-                     milliseconds(solve.seconds.solution));
+                     milliseconds(solve.seconds.solution)) +
+            tr("Largest residual: %1. ").arg(shareText(solve.maxResidualRelative));
     parts << countText(solve.unknowns, "1 unknown", "%1 unknowns")
           << tr("%1 ms").arg(milliseconds(solve.seconds.setup + solve.seconds.factorization + solve.seconds.solution))
           << (solve.status == SolveStatus::Failed ? tr("not solved")
+              : isAllMet                          ? tr("residuals met")
                                                   : tr("residual %1").arg(shareText(solve.maxResidualRelative)));
     if (solve.status != SolveStatus::Failed) parts << tr("accuracy %1").arg(shareText(solve.accuracy));
   }
