@@ -182,7 +182,7 @@ class ObjReader {
       const auto& [missed, line, example] = missing_[which];
       if (missed > 0)
         layout_.remarks.push_back(fmt::format(
-            "{} of a {} that the file does not have (the first is {} in line {}; there are {} '{}' lines); "
+            "{} to a {} that the file does not have (the first is {} in line {}; there are {} '{}' lines); "
             "they are kept as they are",
             counted(missed, "reference"), kListNames[which], example, line, count(list), kListKeywords[which]));
     }
