@@ -1,12 +1,8 @@
 #!/usr/bin/env bash
-# What the window's program does without a display, and its tests on a Wayland compositor, with an X server beside it and
-# without.
-#   window_program_test.sh PROGRAM WINDOW_TESTS
-# Ends with 77 where no compositor is installed.
+# What the window's program says and how it ends where there is nothing to draw on.
+#   window_program_test.sh PROGRAM
 set -u
 program=$1
-tests=$2
-support=$(dirname "${BASH_SOURCE[0]}")/support
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 failures=0
@@ -25,19 +21,4 @@ for environment in "-u DISPLAY" "DISPLAY=:9999" "QT_QPA_PLATFORM=offscreen" "WAY
   expect "ways out with $environment" 1 "$(grep -c 'holdfast-batch works without a window' "$folder/said")"
 done
 
-# Pictures in the window, and one in a file.
-chosen=ColorsOfBar.EveryMapDrawsItsOwnColours:DocumentExportsTest.APictureHasTheLegendOfTheWindowAtItsScale
-# under WHERE LAUNCHER...
-under() {
-  local where=$1
-  shift
-  "$@" "$tests" "--gtest_filter=$chosen" >"$folder/out" 2>"$folder/said"
-  local code=$?
-  [ "$code" -eq 77 ] && cat "$folder/said" && exit $((failures > 0 ? 1 : 77))
-  expect "exit code $where" 0 "$code"
-  expect "what it prints to stderr $where" "" "$(cat "$folder/said")"
-  [ "$code" -eq 0 ] || cat "$folder/out"
-}
-under "on Wayland" env -u DISPLAY "$support/with_wayland.sh"
-under "on Wayland beside X" "$support/with_display.sh" "$support/with_wayland.sh"
 [ "$failures" -eq 0 ]
