@@ -48,8 +48,7 @@ std::string findingText(const Finding& finding, const ConstraintOutcomes& constr
   std::vector<std::string> names;
   if (finding.idsOf == "constraint")
     for (const Index c : finding.ids) names.push_back(constraints[c].name);
-  return fmt::format("{}{}{}", printable(finding.message), names.empty() ? "" : ": ",
-                     quotedNames(names, names.size()));
+  return fmt::format("{}{}{}", printable(finding.message), names.empty() ? "" : ": ", quotedNames(names, names.size()));
 }
 
 /// Whether it is about the solution or what that made of the part, or may make the result another one than was meant.

@@ -56,7 +56,7 @@ struct ConflictSet {
   std::string disable;
   std::optional<Vector3> consistentTarget;
   bool isMetByFoundRotations = false;  ///< a conflict of given rotations alone: "found" ones meet it
-  Index withCount = 0;  ///< how many constraints there are in `with`, listed or not
+  Index withCount = 0;                 ///< how many constraints there are in `with`, listed or not
 };
 
 struct ConstraintOutcome {
@@ -145,7 +145,7 @@ struct Report {
   ConstraintOutcomes constraints;
   SolveReport solve;
   std::vector<SkippedRow> skippedRows = {};  ///< of the point list that the constraints come from; set by its reader
-  ResultVerdict result = {};  ///< what the solution made of the part
+  ResultVerdict result = {};                 ///< what the solution made of the part
 };
 
 }  // namespace holdfast

@@ -168,7 +168,7 @@ void StatusLine::showNumbers()
          "conflict, as a share of the bounding box's diagonal. The solver “hard” promises at most 1e-12 or, for a "
          "constraint whose coordinates are so large that doubles lie farther apart, 8 epsilon of the largest "
          "coordinate. "
-         "Accuracy: the estimated relative error of what constraints leave free. Above 1e-9 it is a finding; above "
+         "Accuracy: the estimated relative error of the solution. Above 1e-9 it is a finding; above "
          "1e-6 "
          "the solution is refused."));
 }
