@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@
 
 #include "files_window.h"
 #include "gestures.h"
+#include "support/meshes.h"
 #include "support/source_tree.h"
 #include "support/temporary_folder.h"
 #include "window_user.h"
@@ -153,6 +155,63 @@ TEST_F(ViewsInWindow, ShowAllShowsAllOfTheGizmo)
   const Camera before = camera();
   press(Qt::Key_Home);
   EXPECT_LT((camera().position - before.position).norm(), 0.02 * (before.position - before.focalPoint).norm());
+}
+
+TEST_F(ViewsInWindow, AnotherDocumentFillsThePictureWhateverWasSelected)
+{
+  for (const auto& [next, selected] : {std::pair("bar.obj", 1), {"plate_unsymmetric.off", 3}}) {
+    open("bracket.obj", "bracket.constraints.json");
+    std::vector<Index> some(static_cast<std::size_t>(selected));
+    std::iota(some.begin(), some.end(), 0);
+    editor().selectConstraints(some);
+    ASSERT_TRUE(settle());
+    open(next);
+    expectFits();
+    viewport().setFocus();
+    press(Qt::Key_Home);
+    expectFits();
+  }
+}
+
+TEST_F(ViewsInWindow, ShowAllShowsTheMeshThoughTheArrowsAreFarFromIt)
+{
+  // What contradicts an earlier point moves nothing.
+  const double far = 1000 * editor().model()->solverMesh.diagonal;
+  ConstraintList edited = list();
+  edited.constraints.push_back({"far", true, PointConstraint{AtVertex{0}, Target{Vector3(far, 0, 0)}}});
+  edited.constraints.push_back({"here", true, PointConstraint{AtVertex{0}, Move{}}});
+  std::rotate(edited.constraints.begin(), edited.constraints.end() - 1, edited.constraints.end());
+  editor().edit("add", edited);
+  ASSERT_TRUE(settle());
+  editor().selectConstraints({*indexOf(list(), "far")});
+  ASSERT_TRUE(window.gizmo().widget().GetEnabled());
+  ASSERT_GT(window.gizmo().gizmo().GetFrame().center.norm(), far / 2);
+  press(Qt::Key_Home);
+  expectFits();
+}
+
+TEST_F(ViewsInWindow, ShowAllShowsTheMeshBesideAVertexOfNoFace)
+{
+  for (const double place : {40.0, 1e6, -1e12}) {
+    MeshDocument document;
+    document.mesh = test::box({1, 1, 2}, 4);
+    const Index count = document.mesh.vertexCount();
+    document.mesh.positions.conservativeResize(count + 1, Eigen::NoChange);
+    document.mesh.positions.row(count).setConstant(place);
+    NoProgress quiet;
+    editor().open(prepareMesh(std::move(document), "box", quiet), {});
+    ASSERT_TRUE(settle());
+    for (int k = 0; k < 2; ++k) {
+      QRectF box;
+      for (Index v = 0; v < count; ++v)
+        box = box.united(QRectF(shownAt(editor().positions().row(v).transpose()), QSizeF(1e-9, 1e-9)));
+      EXPECT_GT(box.height(), 0.7 * viewport().height());
+      const QImage picture = viewport().grab().toImage();
+      const QPoint middle = box.center().toPoint();
+      EXPECT_NE(picture.pixel(middle), picture.pixel(3, middle.y())) << "it is drawn, too";
+      press(Qt::Key_Home);
+    }
+  }
 }
 
 TEST_F(ViewsInWindow, PreviousViewTakesDragsWheelAndKeysBackOneByOne)
