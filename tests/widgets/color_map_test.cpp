@@ -175,7 +175,7 @@ TEST(ColorScale, NoValueOfABorderIsBetweenTwoColorsOfTheTable)
         scale.outside = outside;
         // Without marks the ends have no colour beyond them.
         if (outside == Outside::AsEnds && (k == 0 || k == bands)) continue;
-        const int colors = toLookupTable(scale)->GetNumberOfTableValues();
+        const auto colors = static_cast<double>(toLookupTable(scale)->GetNumberOfTableValues());
         const double place = tablePlace(scale, k) * colors;
         EXPECT_GT(std::abs(place - std::round(place)), 1e-3) << k << " of " << bands;
       }
