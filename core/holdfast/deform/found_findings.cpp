@@ -144,12 +144,13 @@ Columns3 partAlong(const Columns3& normals, const Columns3& x)
   return normals.array().colwise() * x.cwiseProduct(normals).rowwise().sum().array();
 }
 
-/// A push of everything to one side that is no mode of its own: some of every mode is in it.
-Columns3 pushTo(const Columns3& normals)
+/// A push of everything to one side, more at one corner: some of every smooth mode is in it, and those give way first.
+Columns3 pushTo(const Columns3& normals, const SolverMesh& mesh)
 {
+  const Vector3 across(1, 1 / std::numbers::phi, 1 / (std::numbers::phi * std::numbers::phi));
   Columns3 result = normals;
   for (Index i = 0; i < result.rows(); ++i)
-    result.row(i) *= 1 + 0.5 * std::sin(static_cast<double>(i) * std::numbers::phi * pi);
+    result.row(i) *= 1 + (mesh.rest.row(i) - mesh.rest.row(0)).dot(across) / mesh.diagonal;
   return result;
 }
 
@@ -193,7 +194,7 @@ std::optional<Finding> flatSaddle(const SaddleTest& test)
   if (normals.isZero(0)) return std::nullopt;
   const Columns3 rest = test.next(test.u);
   const auto norm = [&](const Columns3& x) { return test.energy.A()->times(x).norm(); };
-  Columns3 x = pushTo(normals);
+  Columns3 x = pushTo(normals, test.mesh);
   double growth = 0;
   for (int step = 0; step < kMostSaddleSteps && growth <= 1 + kGrowth; ++step) {
     const double size = x.rowwise().norm().maxCoeff();
