@@ -77,8 +77,8 @@ class RulerInWindow : public test::WindowUser {
 
   void measure(Index a, Index b)
   {
-    test::click(viewport(), seenAt(a) + QPointF(2, -2));
-    test::click(viewport(), seenAt(b) + QPointF(-2, 2));
+    test::click(viewport(), seenAt(a) + QPointF(1, -1));
+    test::click(viewport(), seenAt(b) + QPointF(-1, 1));
     ASSERT_TRUE(settle());
   }
 

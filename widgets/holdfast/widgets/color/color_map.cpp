@@ -45,8 +45,8 @@ constexpr std::array<std::span<const LabColor>, 6> kMaps{kBlueGreenYellow, kBlue
 // two colours of the table do.
 constexpr int kTableColors = 1021;
 
-// Where the outside is marked, of one colour of the table: the ends of the scale are so far from it. With this share,
-// no two bands meet between two colours.
+// The ends of the scale are so far inside the table: what is beyond them may have a colour of its own. With this share,
+// no two bands meet between two colours of the table.
 constexpr double kFromEnds = 0.3 / kTableColors;
 
 /// From the beginning of the scale to its end, and on; values without a logarithm are as far below as the end is above.
@@ -110,8 +110,9 @@ Color colorOf(const ColorScale& scale, double value)
 
 double tablePlace(const ColorScale& scale, double value)
 {
-  if (scale.outside == Outside::AsEnds || std::isnan(value)) return shareOf(scale, value);
-  return kFromEnds + (1 - 2 * kFromEnds) * freeShareOf(scale, value);
+  if (std::isnan(value)) return value;
+  const double share = scale.outside == Outside::Marked ? freeShareOf(scale, value) : shareOf(scale, value);
+  return kFromEnds + (1 - 2 * kFromEnds) * share;
 }
 
 vtkSmartPointer<vtkLookupTable> toLookupTable(const ColorScale& scale)
@@ -121,7 +122,8 @@ vtkSmartPointer<vtkLookupTable> toLookupTable(const ColorScale& scale)
   table->SetTableRange(0, 1);
   for (int k = 0; k < kTableColors; ++k) {
     // A colour of the table in which two bands meet is that of the upper one, as the value there is.
-    const double share = scale.bands < 2 ? k / (kTableColors - 1.0) : (k + 1.0) / kTableColors;
+    const double end = std::min(1.0, ((k + 1.0) / kTableColors - kFromEnds) / (1 - 2 * kFromEnds));
+    const double share = scale.bands < 2 ? k / (kTableColors - 1.0) : end;
     const Color color = colorAt(scale, share);
     table->SetTableValue(k, color.red, color.green, color.blue);
   }
