@@ -132,7 +132,8 @@ class SectionInWindow : public test::WindowUser {
       for (const double y : {1.04, -0.04}) {
         Vector3 corner = low + Vector3(x, y, 0).cwiseProduct(high - low);
         corner.z() = plane().origin.z();
-        if (!isOverMesh(shownAt(corner))) return shownAt(corner);
+        const QPointF place = shownAt(corner);
+        if (!isOverMesh(place) && !viewport().legendBox().contains(place)) return place;
       }
     throw std::runtime_error("the mesh covers the plane");
   }

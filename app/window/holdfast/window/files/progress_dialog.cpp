@@ -1,6 +1,7 @@
 #include "holdfast/window/files/progress_dialog.h"
 
 #include <QEvent>
+#include <QPointer>
 #include <QProgressDialog>
 #include <QTimer>
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 class ProgressDialog final : public QProgressDialog {
  public:
   ProgressDialog(BackgroundJob& job, QWidget* window, const QString& title)
-      : QProgressDialog({}, QObject::tr("Cancel"), 0, 0, window)
+      : QProgressDialog({}, QObject::tr("Cancel"), 0, 0, window), job_(&job)
   {
     setObjectName("progress");
     setWindowTitle(title);
@@ -44,7 +45,10 @@ class ProgressDialog final : public QProgressDialog {
   }
 
  private:
-  void showOrHide() { setVisible(isDue_ && !isDialogOpen() && !isAnotherSeen()); }
+  void showOrHide() { setVisible(isDue_ && isWorking() && !isDialogOpen() && !isAnotherSeen()); }
+
+  /// A message about the end may be shown before this dialog hears of it.
+  [[nodiscard]] bool isWorking() const { return job_ != nullptr && job_->isRunning(); }
 
   [[nodiscard]] QList<QProgressDialog*> allOfWindow() const
   {
@@ -70,6 +74,7 @@ class ProgressDialog final : public QProgressDialog {
       if (other != this) static_cast<ProgressDialog*>(other)->showOrHide();
   }
 
+  QPointer<BackgroundJob> job_;
   QTimer delay_;
   bool isDue_ = false;
 };
