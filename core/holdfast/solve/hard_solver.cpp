@@ -17,10 +17,8 @@ namespace {
 // A solution leaves less of its rows than this share of its size.
 constexpr double kMetByBase = 1e-10;
 
-// Solutions by multipliers that are less accurate than this, or miss rows by more than this share of what is promised,
-// are made by another basis where that is small. By that basis rows are met to a thousandth of the promise.
+// Solutions by multipliers that are less accurate than this are made by another basis where that is small.
 constexpr double kSufficientAccuracy = 1e-12;
-constexpr double kSufficientShare = 0.01;
 // A basis with so many numbers is made and factorised in seconds.
 constexpr double kMostNumbersOfQ2 = 2e7;
 
@@ -253,10 +251,8 @@ class MultipliersFirst final : public ConstrainedSolver {
 
   [[nodiscard]] bool wantsWholeQ2(const Displacement& result, const RowTargets& targets) const
   {
-    const double missed = solver_->mostMissed(result.u, targets);
-    if (!(missed <= mostMissed_)) return true;
-    const bool isSufficient = result.accuracy <= kSufficientAccuracy && missed <= 2 * kSufficientShare * mostMissed_;
-    return !isSufficient && solver_->mostNumbersOfWholeQ2() <= kMostNumbersOfQ2;
+    if (!(solver_->mostMissed(result.u, targets) <= mostMissed_)) return true;
+    return result.accuracy > kSufficientAccuracy && solver_->mostNumbersOfWholeQ2() <= kMostNumbersOfQ2;
   }
 
   ConstrainedProblem problem_;
