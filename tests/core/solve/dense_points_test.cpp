@@ -79,8 +79,9 @@ TEST_P(DensePoints, AreMetWhereOtherBackendsMeetThem)
     const DeformResult other = deformedOn(Backend::Eigen, mesh_, list);
     if (other.report.solve.status == SolveStatus::Failed) return;
     ASSERT_EQ(own.report.solve.status, other.report.solve.status) << own.report.solve.message;
-    // Half of what is promised: the solver goes on by another basis from there.
-    EXPECT_LE(own.report.solve.maxResidualRelative, kPromisedResidual / 2);
+    // From half of what is promised on the solver goes on by another basis, which is that of the others.
+    EXPECT_LE(own.report.solve.maxResidualRelative,
+              std::max(kPromisedResidual / 2, 2 * other.report.solve.maxResidualRelative));
     EXPECT_LE(own.report.solve.accuracy, std::max(kDoubtfulAccuracy, 2 * other.report.solve.accuracy));
   });
 }
