@@ -36,7 +36,8 @@ using RowList = std::vector<Index>;
 
 double rootMeanSquare(const Positions& vectors)
 {
-  return vectors.stableNorm() / std::sqrt(static_cast<double>(vectors.rows()));
+  const Eigen::Map<const Eigen::VectorXd> numbers(vectors.data(), vectors.size());
+  return numbers.stableNorm() / std::sqrt(static_cast<double>(vectors.rows()));
 }
 
 /// Without their mean, which `mean` becomes.
