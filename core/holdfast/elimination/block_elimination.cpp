@@ -7,7 +7,6 @@
 #include <random>
 #include <utility>
 
-#include <holdfast/elimination/own_unknowns.h>
 #include <holdfast/elimination/sequential_qr.h>
 
 namespace holdfast {
@@ -120,11 +119,8 @@ std::pair<BlockElimination::Block, BlockElimination::Factors> BlockElimination::
   Factors factors{qr.R.leftCols(qr.rank), {}};
   for (Index k = 0; k < qr.rank; ++k) block.rows.push_back(component.rows[qr.columns[k]]);
   for (Index k = 0; k < qr.rank; ++k) factors.R1.col(k) *= lengths[qr.columns[k]];
-  if (block.rows.size() < block.unknowns.size()) {
-    SubstitutedRows left = substituted(localRows(rows, {block.rows, block.unknowns}), BT.rows());
-    for (const Index row : left.kept) block.kept.push_back(block.rows[row]);
-    block.Q2 = std::move(left.basis);
-  }
+  block.parts = freeParts(localRows(rows, {block.rows, block.unknowns}), BT.rows());
+  block.Q2 = basisOf(block.parts, BT.rows());
   return {std::move(block), std::move(factors)};
 }
 
@@ -132,7 +128,7 @@ SparseMatrix BlockElimination::wholeQ2() const
 {
   BlockElimination whole = *this;
   for (Block& block : whole.blocks_)
-    if (block.isLarge()) block.Q2 = block.Q.columnsFrom(static_cast<Index>(block.rows.size()));
+    if (block.isLarge()) block.Q2 = wholeBasisOf(block.parts, static_cast<Index>(block.unknowns.size()));
   return whole.Q2();
 }
 

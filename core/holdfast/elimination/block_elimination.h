@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <holdfast/base/sparse_products.h>
+#include <holdfast/elimination/free_parts.h>
 #include <holdfast/elimination/row_components.h>
 #include <holdfast/elimination/sparse_qr.h>
 
@@ -12,8 +13,8 @@ namespace holdfast {
 
 /// `Elimination` over rows of which none is the difference of two unknowns. A pin is an identity column, its value
 /// copied; what pins leave of the other rows falls into components, each with a Householder QR of its own, dense when
-/// small and sparse when large. Q2 of a large one would be nearly dense: its rows are substituted as far as each has an
-/// unknown of its own (`ownUnknowns`), and the rest of them stay in the system.
+/// small and sparse when large. Q2 of a large one is that of the parts that it leaves free, which may keep rows: these
+/// stay in the system.
 class BlockElimination {
  public:
   /// One component of the rows that are left without pins.
@@ -22,7 +23,7 @@ class BlockElimination {
     std::vector<Index> unknowns;
     SparseMatrix Q2;  ///< unknowns x (unknowns - rows that are not kept)
     Reflections Q;    ///< of a large component
-    std::vector<Index> kept;
+    std::vector<FreePart> parts;  ///< of a large component
 
     [[nodiscard]] bool isLarge() const { return Q.h.size() > 0; }
   };

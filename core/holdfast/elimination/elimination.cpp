@@ -167,7 +167,8 @@ std::vector<Index> Elimination::kept() const
 {
   std::vector<Index> result;
   for (const BlockElimination::Block& block : blocks_.blocks())
-    result.insert(result.end(), block.kept.begin(), block.kept.end());
+    for (const FreePart& part : block.parts)
+      for (const Index row : part.kept) result.push_back(block.rows[row]);
   std::ranges::sort(result);
   return result;
 }

@@ -1,5 +1,7 @@
 #include "holdfast/elimination/row_matching.h"
 
+#include <holdfast/mesh/index_lists.h>
+
 namespace holdfast {
 namespace {
 
@@ -31,6 +33,9 @@ class RowMatching {
     for (const Index unknown : reached_) searchOf_[unknown] = kExhausted;
     return false;
   }
+
+  /// The row that has the unknown; `kNoRow` where none does.
+  [[nodiscard]] Index rowOf(Index unknown) const { return rowOf_[unknown]; }
 
  private:
   static constexpr Index kExhausted = -1;
@@ -70,6 +75,32 @@ std::vector<Index> matchedRows(const std::vector<RowTerms>& rows, const std::vec
   for (const Index row : order)
     if (matching.add(row)) result.push_back(row);
   return result;
+}
+
+std::vector<bool> freeUnknowns(const std::vector<RowTerms>& rows, Index unknownCount)
+{
+  RowMatching matching(rows, unknownCount);
+  std::vector<Index> takes(rows.size(), 0);  // of each row, the unknown that it has
+  for (std::size_t r = 0; r < rows.size(); ++r) matching.add(static_cast<Index>(r));
+  const IndexLists rowsOf(unknownCount, [&](const auto& add) {
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (const Term& term : rows[r]) add(term.index, static_cast<Index>(r));
+  });
+  std::vector<bool> isFree(static_cast<std::size_t>(unknownCount), false);
+  std::vector<Index> found;
+  const auto find = [&](Index unknown) {
+    if (isFree[unknown]) return;
+    isFree[unknown] = true;
+    found.push_back(unknown);
+  };
+  for (Index u = 0; u < unknownCount; ++u)
+    if (matching.rowOf(u) == kNoRow)
+      find(u);
+    else
+      takes[matching.rowOf(u)] = u;
+  for (std::size_t k = 0; k < found.size(); ++k)  // grows meanwhile
+    for (const Index row : rowsOf[found[k]]) find(takes[row]);
+  return isFree;
 }
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// Which rows depend on others whatever their coefficients are.
+/// What rows determine whatever their coefficients are.
 
 #include <vector>
 
@@ -13,5 +13,11 @@ namespace holdfast {
 /// Nearly O(terms): what a search in vain has reached is not searched again.
 [[nodiscard]] std::vector<Index> matchedRows(const std::vector<RowTerms>& rows, const std::vector<Index>& order,
                                              Index unknownCount);
+
+/// For each unknown, whether independent `rows` leave it free: it is named by fewer rows than there are unknowns, or
+/// hangs on one that is so by rows that take it along. The rows that name no free unknown are as many as the other
+/// unknowns, and determine them: the coarse decomposition of A. Dulmage, N. Mendelsohn, "Coverings of bipartite
+/// graphs", 1958. O(terms) after the matching.
+[[nodiscard]] std::vector<bool> freeUnknowns(const std::vector<RowTerms>& rows, Index unknownCount);
 
 }  // namespace holdfast

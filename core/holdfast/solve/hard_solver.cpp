@@ -19,6 +19,8 @@ constexpr double kMetByBase = 1e-10;
 
 // Solutions by multipliers that are less accurate than this are made by another basis where that is small.
 constexpr double kSufficientAccuracy = 1e-12;
+// Rows that are missed by more than this share of what is still sufficient are met once more.
+constexpr double kWellMet = 0.01;
 // A basis with so many numbers is made and factorised in seconds.
 constexpr double kMostNumbersOfQ2 = 2e7;
 
@@ -238,9 +240,10 @@ class MultipliersFirst final : public ConstrainedSolver {
   [[nodiscard]] std::string method() const override { return solver_->method(); }
 
  private:
-  /// `result`, or the solution by the other basis.
+  /// `result`, or the solution by the other basis. Its last step leaves of the rows what the factor leaves of K z = 0.
   [[nodiscard]] Displacement sufficient(Displacement result, const RowTargets& targets, const Columns3& f) const
   {
+    if (solver_->mostMissed(result.u, targets) > kWellMet * mostMissed_) solver_->meet(targets, result.u);
     if (isDecided_ || !wantsWholeQ2(result, targets)) return result;
     isDecided_ = true;
     OwnSolver whole = solverByWholeQ2(problem_, Backend::Holdfast);

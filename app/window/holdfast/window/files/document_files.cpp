@@ -29,8 +29,10 @@ bool isSessionFile(const fs::path& path)
 DocumentFiles::DocumentFiles(Editor& editor, QWidget* window) : QObject(window), editor_(editor), window_(window)
 {
   connect(&job_, &BackgroundJob::failed, this, [this](const std::exception_ptr& error) {
-    whenNoDialogIsOpen(
-        *this, [this, error, name = opening_] { showProblem(window_, tr("“%1” cannot be opened.").arg(name), error); });
+    whenNoDialogIsOpen(*this, [this, error, what = failure_] { showProblem(window_, what, error); });
+  });
+  connect(&job_, &BackgroundJob::ended, this, [this] {
+    if (editor_.isOpen() && !editor_.hasItsMesh()) editor_.cancelSolving();  // goes on with the mesh, if that comes
   });
   connect(&saving_, &BackgroundJob::failed, this, [this](const std::exception_ptr& error) {
     saveNext_.reset();
@@ -41,6 +43,7 @@ DocumentFiles::DocumentFiles(Editor& editor, QWidget* window) : QObject(window),
   connect(&editor_, &Editor::opened, this, [this] {
     if (!editor_.isOpen()) setPath({});
   });
+  connect(&editor_, &Editor::meshWanted, this, &DocumentFiles::weld);
 }
 
 void DocumentFiles::open(const QString& path)
@@ -104,7 +107,8 @@ void DocumentFiles::begin(Opening opening)
 
 void DocumentFiles::find(const std::shared_ptr<Opening>& opening)
 {
-  opening_ = textOf(opening->path.filename());
+  const QString name = textOf(opening->path.filename());
+  failure_ = tr("“%1” cannot be opened.").arg(name);
   job_.start([this, opening](Progress& progress) {
     opening->read(progress);
     // Both may ask the user.
@@ -113,7 +117,26 @@ void DocumentFiles::find(const std::shared_ptr<Opening>& opening)
                          [this, opening] { opening->mesh.model != nullptr ? adopt(*opening) : askAboutMesh(opening); });
     };
   });
-  showProgress(job_, window_, tr("Opening %1").arg(opening_));
+  showProgress(job_, window_, tr("Opening %1").arg(name));
+}
+
+void DocumentFiles::weld(double tolerance)
+{
+  failure_ = tr("The mesh cannot be welded.");
+  job_.start([this, tolerance, path = editor_.mesh().path,
+              document = editor_.mesh().document](Progress& progress) mutable {
+    auto mesh = std::make_shared<LoadedMesh>(prepareMesh(std::move(document), path, progress, tolerance));
+    return [this, mesh] {
+      const fs::path session = sessionPath_;
+      const std::string checksum = meshChecksum_;
+      const ViewState view = view_();
+      editor_.remodel(std::move(*mesh));
+      meshChecksum_ = checksum;
+      setPath(session);
+      Q_EMIT viewOpened(view);
+    };
+  });
+  showProgress(job_, window_, tr("Welding vertices"));
 }
 
 void DocumentFiles::Opening::read(Progress& progress)
@@ -149,7 +172,7 @@ void DocumentFiles::Opening::keepMeasurements()
 void DocumentFiles::askAboutMesh(const std::shared_ptr<Opening>& opening)
 {
   const ResolvedMesh& mesh = opening->resolved;
-  switch (askAboutSessionMesh(window_, opening_, mesh)) {
+  switch (askAboutSessionMesh(window_, textOf(opening->path.filename()), mesh)) {
     case MeshAnswer::Cancel:
       return;
     case MeshAnswer::UseAllTheSame:

@@ -91,6 +91,7 @@ class DocumentFiles : public QObject {
   };
 
   void begin(Opening opening);
+  void weld(double tolerance);
   void find(const std::shared_ptr<Opening>& opening);
   void askAboutMesh(const std::shared_ptr<Opening>& opening);
   void adopt(Opening& opening);
@@ -113,7 +114,7 @@ class DocumentFiles : public QObject {
   BackgroundJob job_;
   std::filesystem::path sessionPath_;
   std::string meshChecksum_;                       // of the mesh as it was read
-  QString opening_;                                // the file, for messages
+  QString failure_;                                // what to say where the job fails
   std::shared_ptr<const DocumentState> givenUp_;   // the unsaved state that the user has agreed to lose
   std::filesystem::path savingPath_;               // of the latest save
   bool wasSaved_ = false;                          // by it

@@ -63,6 +63,7 @@ LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path,
   loaded.path = path;
   loaded.document = std::move(document);
   loaded.model = std::make_shared<const Model>(makeModelOfFile(loaded.document, path.string(), weldTolerance));
+  loaded.weldTolerance = weldTolerance;
   const Model& model = *loaded.model;
   loaded.selector = std::make_shared<Selector>(model.mesh, model.solverMesh, model.locator());
   loaded.regions = std::make_shared<VertexRegions>(model.mesh, model.solverMesh);
@@ -83,10 +84,33 @@ bool isLarge(const Model& model)
 
 void Editor::open(LoadedMesh mesh, DocumentState state)
 {
-  assert(mesh.model != nullptr);
   close();
+  start(std::move(mesh), std::make_unique<History>(std::move(state)));
+}
+
+void Editor::remodel(LoadedMesh mesh)
+{
+  endGesture();
+  std::vector<Index> vertices = selectedVertices_;
+  std::optional<Selection> shape = selectedShape_;
+  std::vector<Index> constraints = selectedConstraints_;
+  std::unique_ptr<History> history = std::move(history_);
+  DeformOptions options = history->state()->options;
+  if (std::exchange(options.weldTolerance, mesh.weldTolerance) != mesh.weldTolerance)
+    history->edit(
+        mesh.weldTolerance > 0 ? fmt::format("weld within {:.6g}", mesh.weldTolerance) : "weld what coincides only",
+        {history->state()->list, options, history->state()->annotations});
+  close();
+  start(std::move(mesh), std::move(history));
+  selectVertices(std::move(vertices), std::move(shape));
+  selectConstraints(std::move(constraints));
+}
+
+void Editor::start(LoadedMesh mesh, std::unique_ptr<History> history)
+{
+  assert(mesh.model != nullptr);
   mesh_ = std::move(mesh);
-  history_ = std::make_unique<History>(std::move(state));
+  history_ = std::move(history);
   // The worker prepares the picture, picks and outcomes, so that the window does not wait for them.
   auto prepared = [atRest = mesh_.surface, model = mesh_.model, places = KnownPlaces(),
                    marks = std::shared_ptr<const MarkSet>()](const LiveEvent& event) mutable -> Solved {
@@ -215,6 +239,10 @@ void Editor::cancelSolving()
 
 void Editor::submit(Supersede supersede)
 {
+  if (!hasItsMesh()) {
+    setSolveState(SolveState::Solving, {});
+    return weldWithin(state().options.weldTolerance);
+  }
   const auto state = history_->state();
   ++revision_;
   submitted_.emplace_back(revision_, state);

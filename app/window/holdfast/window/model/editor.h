@@ -40,6 +40,7 @@ struct LoadedMesh {
   std::shared_ptr<SceneContents> contents;        ///< at rest, with the coarse triangles of large meshes
   std::shared_ptr<const VisibleSurface> surface;  ///< at rest, ready for rays
   bool isScan = false;                            ///< coordinates of single precision, and hardly a flat place
+  double weldTolerance = 0;                       ///< within which vertices of `model` are one
 };
 
 /// Throws as `readAnyMesh` and `makeModel` do, and what `progress` throws.
@@ -76,6 +77,9 @@ class Editor : public QObject {
 
   void open(LoadedMesh mesh, DocumentState state);
   void close();
+  /// The same document on `mesh`, whose vertices are those of its file. Where that is welded within another length than
+  /// the state says, it is an edit.
+  void remodel(LoadedMesh mesh);
   [[nodiscard]] bool isOpen() const noexcept { return mesh_.model != nullptr; }
 
   /// The following need an open document.
@@ -135,6 +139,10 @@ class Editor : public QObject {
   void updateGesture(ConstraintList after);
   void endGesture();
   void cancelGesture();
+  /// Whether the mesh is welded within the length that the state says: else nothing is solved.
+  [[nodiscard]] bool hasItsMesh() const { return state().options.weldTolerance == mesh_.weldTolerance; }
+  /// Asks for a mesh welded within this length, by `meshWanted`.
+  void weldWithin(double tolerance) { Q_EMIT meshWanted(tolerance); }
   /// Of many in quick succession on a large mesh only the last state is solved and shown.
   void undo()
   {
@@ -182,6 +190,8 @@ class Editor : public QObject {
 
  Q_SIGNALS:
   void opened();             ///< another document, or none
+  /// By the user, or a state that was undone: whoever has files prepares one, and calls `remodel`.
+  void meshWanted(double weldTolerance);
   void stateChanged();       ///< the list or the options; the history with them
   void deformed();           ///< another deformation
   void examined();           ///< the report of the deformation says more than before
@@ -204,6 +214,7 @@ class Editor : public QObject {
     std::uint64_t revision = 0;
   };
 
+  void start(LoadedMesh mesh, std::unique_ptr<History> history);
   void submit(Supersede supersede);
   void stateBecame(Supersede supersede);
   void stateIsAnother();

@@ -205,6 +205,10 @@ class ReportPanel final : public RefreshedPanel {
     rotationChange_->setToolTip(
         tr("Rotations are found when an iteration moves no vertex by more than this share of "
            "the diagonal"));
+    weld_ = named(new NumberEdit, "reportWeld");
+    weld_->setToolTip(
+        tr("Vertices that are no farther apart than this length are one for the solver; 0 joins those at one place. The "
+           "file keeps its vertices."));
     options_ = new QFormLayout;
     options_->setHorizontalSpacing(10);
     options_->setVerticalSpacing(6);
@@ -213,6 +217,7 @@ class ReportPanel final : public RefreshedPanel {
     options_->addRow(tr("Soft wei&ght"), softWeight_);
     options_->addRow(tr("&Rotations"), rotations_);
     options_->addRow(tr("&Last change"), rotationChange_);
+    options_->addRow(tr("Weld wi&thin"), weld_);
     connect(weights_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
     connect(solver_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
     connect(rotations_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
@@ -222,6 +227,9 @@ class ReportPanel final : public RefreshedPanel {
     connect(rotationChange_, &NumberEdit::entered, this, &ReportPanel::setRotationChange);
     connect(rotationChange_, &NumberEdit::refused, this, &ReportPanel::refuse);
     connect(rotationChange_, &NumberEdit::righted, this, &ReportPanel::refreshReport);
+    connect(weld_, &NumberEdit::entered, this, &ReportPanel::setWeld);
+    connect(weld_, &NumberEdit::refused, this, &ReportPanel::refuse);
+    connect(weld_, &NumberEdit::righted, this, &ReportPanel::refreshReport);
   }
 
   void refresh() override
@@ -243,6 +251,8 @@ class ReportPanel final : public RefreshedPanel {
     refreshNumber(*softWeight_, options.solver.softWeight, isOpen && options.solver.kind == SolverKind::Soft);
     refreshNumber(*rotationChange_, options.rotations.change,
                   isOpen && options.rotations.source != RotationSource::Given);
+    weld_->setEnabled(isOpen);
+    weld_->setNumber(options.weldTolerance);
   }
 
   /// Shows the number and its label only where it has an effect.
@@ -324,6 +334,15 @@ class ReportPanel final : public RefreshedPanel {
     refuse(tr("A last change must be positive: a share of the diagonal."));
   }
 
+  void setWeld(double tolerance)
+  {
+    if (tolerance < 0) {
+      weld_->replaceTyped(editor_.state().options.weldTolerance);
+      return refuse(tr("A distance within which vertices are welded must be 0 or more."));
+    }
+    if (tolerance != editor_.state().options.weldTolerance) editor_.weldWithin(tolerance);
+  }
+
   void refuse(const QString& reason)
   {
     age_->setText(reason);
@@ -348,6 +367,7 @@ class ReportPanel final : public RefreshedPanel {
   QComboBox* rotations_ = nullptr;
   NumberEdit* softWeight_ = nullptr;
   NumberEdit* rotationChange_ = nullptr;
+  NumberEdit* weld_ = nullptr;
   QLabel* age_ = nullptr;
   QFormLayout* report_ = nullptr;
   std::vector<QLabel*> values_;

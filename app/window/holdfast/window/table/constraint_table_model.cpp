@@ -47,6 +47,17 @@ bool isCoordinate(int column)
   return column >= ConstraintTableModel::X && column <= ConstraintTableModel::Z;
 }
 
+bool isResult(int column)
+{
+  return column == ConstraintTableModel::Distance || column >= ConstraintTableModel::Residual;
+}
+
+/// Whether cells are nothing but digits.
+bool isOfNumbers(int column)
+{
+  return column >= ConstraintTableModel::Distance && column < ConstraintTableModel::Status;
+}
+
 /// The numbers of constraints that two lists have in common at their beginnings and, in the rest, at their ends.
 std::pair<std::size_t, std::size_t> commonEnds(const std::vector<Constraint>& a, const std::vector<Constraint>& b)
 {
@@ -114,6 +125,7 @@ std::optional<double> ConstraintTableModel::exactNumber(int row, int column) con
   if (isCoordinate(column)) return coordinate(row, column);
   const ConstraintOutcome* found = outcome(row);
   if (found == nullptr || !constraint(row).isEnabled) return std::nullopt;
+  if (column == Distance) return found->nearDistance;
   if (column == Residual) return found->residual;
   return column == Force ? found->multiplier : std::nullopt;
 }
@@ -133,7 +145,7 @@ QString ConstraintTableModel::text(int row, int column) const
   if (column == Status) return statusText(status(row));
   const std::optional<double> number = exactNumber(row, column);
   if (!number) return {};
-  if (isCoordinate(column))
+  if (isCoordinate(column) || column == Distance)
     return coordinateText(withoutNoise(*number, editor_.model()->solverMesh.diagonal), editor_.lengthStyle());
   return column == Residual ? residualText(*outcome(row)) : roundedText(*number);
 }
@@ -163,13 +175,13 @@ QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
     case Qt::DecorationRole:
       return column == Status ? QVariant(statusIcon(status(row), QGuiApplication::palette())) : QVariant();
     case Qt::TextAlignmentRole:
-      return QVariant(isCoordinate(column) || column == Residual || column == Force
+      return QVariant(isOfNumbers(column)
                           ? static_cast<int>(Qt::AlignRight | Qt::AlignVCenter)
                           : static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter));
     case Qt::BackgroundRole:
       return row == marked_ ? QVariant(QBrush(markedColor())) : QVariant();
     case Qt::ForegroundRole:
-      if (constraint(row).isEnabled && (column < Residual || editor_.isCurrent())) return {};
+      if (constraint(row).isEnabled && (!isResult(column) || editor_.isCurrent())) return {};
       return quietColor(QGuiApplication::palette());
     case Qt::ToolTipRole:
       return plainTip(toolTip(row, column));
@@ -184,7 +196,7 @@ QString ConstraintTableModel::toolTip(int row, int column) const
 {
   const std::optional<double> number = exactNumber(row, column);
   const QString exact = number ? exactText(*number) : QString();
-  const bool isOld = column >= Residual && !editor_.isCurrent();
+  const bool isOld = isResult(column) && !editor_.isCurrent();
   const QString age = isOld ? tr("\nFrom before the latest edit.") : QString();
   if (column == On) return tr("Whether the constraint is enabled");
   if (column == Status) return statusMeaning(status(row)) + age;
@@ -212,6 +224,7 @@ QVariant ConstraintTableModel::headerData(int section, Qt::Orientation orientati
       {tr("Name"), tr("The name in reports and messages")},
       {tr("Kind"), tr("What kind of constraint")},
       {tr("Where"), tr("The point or the vertices that it holds")},
+      {tr("Distance"), tr("How far the surface is from the place that a point names by coordinates%1").arg(units)},
       {"x", target},
       {"y", target},
       {"z", target},
@@ -350,7 +363,7 @@ void ConstraintTableModel::follow()
 
 void ConstraintTableModel::resultsChanged()
 {
-  if (rowCount() > 0) Q_EMIT dataChanged(index(0, Residual), index(rowCount() - 1, Status));
+  if (rowCount() > 0) Q_EMIT dataChanged(index(0, Distance), index(rowCount() - 1, Status));
 }
 
 }  // namespace holdfast

@@ -15,7 +15,7 @@ class ConstraintTableModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { On, Name, Kind, Where, X, Y, Z, Residual, Force, Status, ColumnCount };
+  enum Column { On, Name, Kind, Where, Distance, X, Y, Z, Residual, Force, Status, ColumnCount };
 
   explicit ConstraintTableModel(Editor& editor, QObject* parent = nullptr);
 
@@ -45,7 +45,7 @@ class ConstraintTableModel : public QAbstractTableModel {
   [[nodiscard]] bool isInStep() const { return shown_ == (editor_.isOpen() ? editor_.history().state() : nullptr); }
 
   /// What rows are sorted by: numbers, and ranks of the status, the gravest first; texts of the others.
-  [[nodiscard]] bool hasNumbers(int column) const { return column == On || column >= X; }
+  [[nodiscard]] bool hasNumbers(int column) const { return column == On || column >= Distance; }
   [[nodiscard]] std::optional<double> number(int row, int column) const;
   [[nodiscard]] QString text(int row, int column) const;
   [[nodiscard]] std::optional<ConstraintStatus> status(int row) const { return editor_.status(constraint(row), row); }

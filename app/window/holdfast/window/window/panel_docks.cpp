@@ -1,6 +1,7 @@
 #include "holdfast/window/window/panel_docks.h"
 
 #include <QAction>
+#include <QLineEdit>
 #include <QTimer>
 #include <algorithm>
 
@@ -160,11 +161,26 @@ void PanelDocks::followViewport()
   colors_->setDisplaySettings(viewport_.display());
 }
 
+void PanelDocks::bringToFront(const char* dock)
+{
+  auto* panel = window_.findChild<QDockWidget*>(dock);
+  panel->show();
+  panel->raise();
+}
+
+void PanelDocks::showWelding()
+{
+  bringToFront("reportDock");
+  auto* line = window_.findChild<QLineEdit*>("reportWeld");
+  QTimer::singleShot(0, line, [line] {
+    line->setFocus(Qt::ShortcutFocusReason);
+    line->selectAll();
+  });
+}
+
 void PanelDocks::showColors()
 {
-  auto* dock = window_.findChild<QDockWidget*>("colorsDock");
-  dock->show();
-  dock->raise();
+  bringToFront("colorsDock");
   // The panel is hidden with its tab, and cannot have the keys before.
   QTimer::singleShot(0, colors_, &ColorPanel::focusRange);
 }

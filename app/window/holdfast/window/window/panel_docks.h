@@ -31,12 +31,15 @@ class PanelDocks : public QObject {
 
   /// Brings the panel of colours to the front, with the keys.
   void showColors();
+  /// That of the solution, with the keys in the line of the tolerance of welding.
+  void showWelding();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void yield();
+  void bringToFront(const char* dock);
   QDockWidget* add(const QString& title, const QString& objectName, QWidget* panel);
   void arrange();
   void countConflicts();
