@@ -79,10 +79,12 @@ struct ConstraintFactorization {
             std::async(std::launch::deferred, [A, eliminated = eliminated] { return ActedOn(*A, eliminated->rows); })),
         rotations(std::make_shared<RotationFactorization>(model->solverMesh, std::move(operators),
                                                           options.solver.backend, ranks)),
-        positions([model = std::move(model), A, eliminated = eliminated, ranks, options = options]() mutable {
+        positions([model = std::move(model), A, eliminated = eliminated, ranks, options = options,
+                   isAmplified = largestOf(*sensitivities) > kLargeSensitivity]() mutable {
           const Columns3& rest = model->solverMesh.rest;
-          return makeSolver({A, eliminated, rest.rowwise() - rest.colwise().mean(), std::move(ranks)},
-                            inDiagonals(options, model->solverMesh));
+          return makeSolver(
+              {A, eliminated, rest.rowwise() - rest.colwise().mean(), std::move(ranks), isAmplified},
+              inDiagonals(options, model->solverMesh));
         })
   {
   }
@@ -458,11 +460,23 @@ class Solution {
     Diagnosis& diagnosis = details_->diagnosis;
     if (!diagnosis.isNearOrigin) diagnosis.limits = residualLimits(mesh, details_->system, diagnosis.dependent, u);
     details_->residuals = rowResiduals(details_->system, mesh.weld, result_.positions);
+    if (options_.solver.kind == SolverKind::Hard) judgeUndecided();
     tellOutcomes();
     const std::optional<MissedRow> worst = setLargestResidual(result_.report, *details_, details_->residuals);
     report().status = diagnosis.hasConflicts() ? SolveStatus::Conflicts : SolveStatus::Ok;
     report().message = solvedMessage(result_.report, worst);
     if (options_.solver.kind == SolverKind::Hard && worst) failNearby(u, missedMessage(result_.report, *worst));
+  }
+
+  /// Rows too close to depending on others to be held with them hold where the solution happens to meet them.
+  void judgeUndecided()
+  {
+    Diagnosis& diagnosis = details_->diagnosis;
+    for (const auto& [dependency, gap] : diagnosis.dependent)
+      if (dependency.distance > kRoundingDistance)
+        diagnosis.status[dependency.row] = details_->residuals[dependency.row] <= diagnosis.limits[dependency.row]
+                                               ? RowStatus::Redundant
+                                               : RowStatus::Conflicting;
   }
 
   const Model& model_;

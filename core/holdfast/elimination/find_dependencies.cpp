@@ -19,16 +19,12 @@ namespace {
 /// grow like powers, and with them the rounding of all that is said of them.
 constexpr double kLargestCoefficient = 1e6;
 
-// A dense QR of so many rows takes some tenths of a second.
-constexpr std::size_t kMostSequentialRows = 512;
-constexpr std::size_t kMostSequentialUnknowns = 512;
-
 /// Larger components are judged by sparse matrices. So are those of which no row is to be close to all others: the
 /// sequential method compares with rows before it only.
 bool isJudgedInOrder(const RowComponent& component, double tolerance)
 {
   return tolerance <= kRankTolerance && component.rows.size() <= kMostSequentialRows &&
-         component.unknowns.size() <= kMostSequentialUnknowns;
+         component.unknowns.size() <= kMostSequentialRows;
 }
 
 /// Whether other rows would better stand in the places of some.

@@ -12,7 +12,7 @@ namespace holdfast {
 /// closes; ascending. All other rows are independent. Depends on the rows and their order only, not on targets. Rows
 /// closer to the others than `tolerance` count as dependent. Components of up to 512 rows and unknowns go through the
 /// sequential Householder QR of the paper; larger ones through `sparseDependencies`, which finds the same rows but for
-/// those that are closer than `kWaitingDistance`: where a circuit shows that some are, these ways judge small
+/// those that are closer than `kCrowdedDistance`: where a circuit shows that some are close, these ways judge small
 /// components as well. With a larger tolerance than `kRankTolerance` all do: then no row that is left is closer than
 /// that to the span of all others.
 [[nodiscard]] std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Index unknownCount,

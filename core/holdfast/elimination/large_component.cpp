@@ -10,17 +10,21 @@
 #include <holdfast/elimination/near_rows.h>
 #include <holdfast/elimination/row_matching.h>
 #include <holdfast/elimination/sequential_qr.h>
+#include <holdfast/mesh/index_lists.h>
 
 namespace holdfast {
 namespace {
 
 // Each round takes away the last of rows that nearly depend on one another. Two to four are the rule. So many rows are
 // looked at in all, which takes seconds, but for a few rounds and no more than many.
-constexpr std::size_t kRowsOfAllRounds = 500'000;
+constexpr std::size_t kRowsOfAllRounds = 2'000'000;
 constexpr std::size_t kFewRounds = 8;
 constexpr std::size_t kManyRounds = 64;
 
-std::vector<Index> unknownsOf(const RowTerms& row)
+// Rows that come into the basis are compared with those around them first.
+constexpr int kRingsAround = 12;
+
+std::vector<Index> namedBy(const RowTerms& row)
 {
   std::vector<Index> result;
   for (const Term& term : row) result.push_back(term.index);
@@ -53,7 +57,12 @@ std::vector<Index> inStrides(std::size_t count)
 class BasisSearch {
  public:
   BasisSearch(std::vector<RowTerms> rows, std::size_t unknownCount, double tolerance)
-      : rows_(std::move(rows)), unknowns_(upTo(unknownCount)), tolerance_(tolerance), role_(rows_.size(), Role::Open)
+      : rows_(std::move(rows)), unknowns_(upTo(unknownCount)), tolerance_(tolerance),
+        isLarge_(std::max(rows_.size(), unknownCount) > kMostSequentialRows), role_(rows_.size(), Role::Open),
+        rowsOf_(static_cast<Index>(unknownCount), [&](const auto& add) {
+          for (std::size_t r = 0; r < rows_.size(); ++r)
+            for (const Term& term : rows_[r]) add(term.index, static_cast<Index>(r));
+        })
   {
     leaveOutRepeats();
   }
@@ -68,11 +77,20 @@ class BasisSearch {
   [[nodiscard]] Basis basisBy(const std::vector<Index>& order, bool isLastResort) const
   {
     std::vector<Role> roles = role_;
+    const auto settledAs = [&](Role role, double distance) {
+      return settle(order, roles, role, distance, isLastResort);
+    };
+    if (isLarge_) {
+      bool isDecided = settledAs(Role::Out, kCrowdedDistance) != Settled::Not;
+      std::vector<Index> rows = matched(order, roles);
+      if (tolerance_ > kCrowdedDistance) isDecided = thinOut(rows, roles) && isDecided;
+      return {std::move(rows), isDecided, closeness(roles)};
+    }
     Settled settled = Settled::AllButSome;
-    if (tolerance_ < kWaitingDistance) settled = settle(order, roles, Role::Waiting, kWaitingDistance, isLastResort);
+    if (tolerance_ < kWaitingDistance) settled = settledAs(Role::Waiting, kWaitingDistance);
     bool isDecided = settled != Settled::Not;
     if (settled == Settled::AllButSome || (!isDecided && isLastResort))
-      isDecided = settle(order, roles, Role::Out, tolerance_, isLastResort) != Settled::Not && isDecided;
+      isDecided = settledAs(Role::Out, tolerance_) != Settled::Not && isDecided;
     return {matched(order, roles), isDecided, closeness(roles)};
   }
 
@@ -86,7 +104,7 @@ class BasisSearch {
   void leaveOutRepeats()
   {
     std::map<std::vector<Index>, std::vector<Index>> groups;
-    for (std::size_t r = 0; r < rows_.size(); ++r) groups[unknownsOf(rows_[r])].push_back(static_cast<Index>(r));
+    for (std::size_t r = 0; r < rows_.size(); ++r) groups[namedBy(rows_[r])].push_back(static_cast<Index>(r));
     for (const auto& [unknowns, group] : groups) {
       if (group.size() < 2) continue;
       const Eigen::MatrixXd block = transposedBlock(rows_, {group, unknowns});
@@ -104,24 +122,87 @@ class BasisSearch {
                  bool isLastResort) const
   {
     bool isDecided = true;
+    std::vector<Index> basis = matched(order, roles);
+    std::vector<Index> looked = basis;
     const std::size_t mostRounds = std::clamp(kRowsOfAllRounds / rows_.size(), kFewRounds, kManyRounds);
-    for (std::size_t round = 0; round < mostRounds; ++round) {
-      NearRows near = nearlyDependentRows(rows_, matched(order, roles), unknowns_, distance);
+    for (std::size_t round = 0; round < mostRounds;) {
+      NearRows near = nearlyDependentRows(rows_, looked, unknownsOf(looked), distance);
       isDecided = isDecided && !near.isBeyondOrder;
       if (!isDecided && !isLastResort) return Settled::Not;
-      if (near.last.empty()) return isDecided ? Settled::All : Settled::Not;
+      const bool isAnyNear = !near.last.empty();
       std::erase_if(near.last, [&](Index row) { return roles[row] == role; });
-      if (near.last.empty()) return isDecided ? Settled::AllButSome : Settled::Not;
+      const bool areAllLookedAt = looked.size() == basis.size();
+      if (areAllLookedAt) ++round;
+      if (near.last.empty() && areAllLookedAt) {
+        const Settled settled = isAnyNear ? Settled::AllButSome : Settled::All;
+        return isDecided ? settled : Settled::Not;
+      }
       for (const Index row : near.last) roles[row] = role;
+      std::vector<Index> next = matched(order, roles);
+      looked = near.last.empty() || !isLarge_ ? next : around(changes(basis, next), next);
+      basis = std::move(next);
     }
     return Settled::Not;
   }
 
+  /// The rows that one of them has, and those that only the other one has.
+  static std::vector<Index> changes(std::vector<Index> a, std::vector<Index> b)
+  {
+    std::ranges::sort(a);
+    std::ranges::sort(b);
+    std::vector<Index> result;
+    std::ranges::set_symmetric_difference(a, b, std::back_inserter(result));
+    return result;
+  }
+
+  /// Those of `basis`, in their order, that some rows lead to by `kRingsAround` rows that share an unknown each.
+  [[nodiscard]] std::vector<Index> around(std::vector<Index> some, const std::vector<Index>& basis) const
+  {
+    std::vector<bool> isReached(rows_.size(), false);
+    for (const Index row : some) isReached[row] = true;
+    for (int ring = 0; ring < kRingsAround; ++ring) {
+      std::vector<Index> next;
+      for (const Index row : some)
+        for (const Term& term : rows_[row])
+          for (const Index other : rowsOf_[term.index])
+            if (!isReached[other]) {
+              isReached[other] = true;
+              next.push_back(other);
+            }
+      some = std::move(next);
+    }
+    std::vector<Index> result;
+    std::ranges::copy_if(basis, std::back_inserter(result), [&](Index row) { return isReached[row]; });
+    return result;
+  }
+
+  [[nodiscard]] std::vector<Index> unknownsOf(const std::vector<Index>& some) const
+  {
+    if (some.size() * 2 > rows_.size()) return unknowns_;
+    std::vector<Index> result;
+    for (const Index row : some)
+      for (const Term& term : rows_[row]) result.push_back(term.index);
+    return sortedOnce(std::move(result));
+  }
+
+  /// Takes rows of a basis out until none is closer to the others than the tolerance. False where that has no end.
+  [[nodiscard]] bool thinOut(std::vector<Index>& basis, std::vector<Role>& roles) const
+  {
+    for (std::size_t round = 0; round < kManyRounds; ++round) {
+      const NearRows near = nearlyDependentRows(rows_, basis, unknowns_, tolerance_);
+      if (near.last.empty()) return true;
+      for (const Index row : near.last) roles[row] = Role::Out;
+      std::erase_if(basis, [&](Index row) { return roles[row] == Role::Out; });
+    }
+    return false;
+  }
+
   [[nodiscard]] std::vector<double> closeness(const std::vector<Role>& roles) const
   {
+    const double out = isLarge_ ? std::max(tolerance_, kCrowdedDistance) : tolerance_;
     std::vector<double> result;
     for (const Role role : roles)
-      result.push_back(role == Role::Waiting ? kWaitingDistance : role == Role::Out ? tolerance_ : 0);
+      result.push_back(role == Role::Waiting ? kWaitingDistance : role == Role::Out ? out : 0);
     return result;
   }
 
@@ -136,7 +217,9 @@ class BasisSearch {
   std::vector<RowTerms> rows_;
   std::vector<Index> unknowns_;
   double tolerance_;
+  bool isLarge_;
   std::vector<Role> role_;
+  IndexLists rowsOf_;  // of each unknown
 };
 
 /// Rows by their places in a component as rows of the whole.

@@ -19,7 +19,7 @@ struct OwnUnknown {
 [[nodiscard]] std::vector<OwnUnknown> ownUnknowns(const std::vector<RowTerms>& rows, Index unknownCount);
 
 /// A bound of the sensitivities of rows with own unknowns: far below the inverse of the rank tolerance.
-inline constexpr double kMostMoved = 1e6;
+inline constexpr double kMostMoved = 100;
 
 /// Displacements that rows of a list map to zero.
 struct SubstitutedRows {

@@ -75,12 +75,14 @@ class TriangleTree {
   /// work for `visitPairs`, the same on every run. None for an empty tree.
   [[nodiscard]] std::vector<NodePair> sharesOfPairs(const Boxes& boxes, std::size_t wanted) const;
 
-  /// Calls `visit(s, t)` once for each two triangles below `pair` that lie in leaves whose boxes meet.
+  /// Calls `visit(s, t)` once for each two triangles below `pair` that lie in leaves whose boxes meet. Looks at `most`
+  /// pairs of nodes at most; returns at how many.
   template <class Visitor>
-  void visitPairs(const Boxes& boxes, NodePair pair, Visitor&& visit) const
+  std::size_t visitPairs(const Boxes& boxes, NodePair pair, std::size_t most, Visitor&& visit) const
   {
     std::vector<NodePair> waiting{pair};
-    while (!waiting.empty()) {
+    std::size_t count = 0;
+    for (; !waiting.empty() && count < most; ++count) {
       const NodePair next = waiting.back();
       waiting.pop_back();
       if (!areLeaves(next)) {
@@ -92,6 +94,7 @@ class TriangleTree {
       for (Index k = a.first; k < a.last; ++k)
         for (Index l = next.first == next.second ? k + 1 : b.first; l < b.last; ++l) visit(order_[k], order_[l]);
     }
+    return count;
   }
 
  private:

@@ -19,6 +19,12 @@ constexpr double kBorder = 1e-9;
 constexpr std::size_t kShares = 1024;
 constexpr std::size_t kSharesAtOnce = 32;
 
+// Pairs of boxes that are looked at for each triangle, in all and in one share. Surfaces that do not cross themselves
+// have about three.
+constexpr std::size_t kMostPairs = 16;
+constexpr double kMostPairsOfShare = 0.5;
+constexpr std::size_t kFewPairs = 100'000;
+
 using TriangleCorners = std::array<Vector3, 3>;
 
 /// About the center: products of four lengths stay in the range of doubles.
@@ -94,17 +100,17 @@ CrossingSearch::CrossingSearch(const RestSurface& rest, const Positions& atRest)
 {
 }
 
-std::vector<int> CrossingSearch::find(const Positions& now, Progress& progress)
+CrossingTriangles CrossingSearch::find(const Positions& now, Progress& progress)
 {
   const Pairs pairs = pairsAt(now, progress);
-  if (!pairs.empty() && !isCrossedAtRest_) markCrossedAtRest(progress);
+  if (!pairs.crossing.empty() && !isCrossedAtRest_) markCrossedAtRest(progress);
   const auto isCrossed = [&](int triangle) {
     return std::ranges::any_of(rest_.triangles[triangle], [&](int vertex) { return (*isCrossedAtRest_)[vertex]; });
   };
   std::vector<int> crossing;
-  for (const auto& [a, b] : pairs)
+  for (const auto& [a, b] : pairs.crossing)
     if (!isCrossed(a) && !isCrossed(b)) crossing.insert(crossing.end(), {a, b});
-  return sortedOnce(std::move(crossing));
+  return {sortedOnce(std::move(crossing)), pairs.areAll};
 }
 
 CrossingSearch::Pairs CrossingSearch::pairsAt(const Positions& places, Progress& progress) const
@@ -112,27 +118,43 @@ CrossingSearch::Pairs CrossingSearch::pairsAt(const Positions& places, Progress&
   const Positions positions = inDiagonals(rest_, places);
   const TriangleTree::Boxes boxes = tree_.boxesAt(positions);
   const std::vector<TriangleTree::NodePair> shares = tree_.sharesOfPairs(boxes, kShares);
+  const std::size_t mostOfShare =
+      std::max(kFewPairs, static_cast<std::size_t>(kMostPairsOfShare * static_cast<double>(rest_.triangles.size())));
+  const std::size_t most = std::max(kFewPairs, kMostPairs * rest_.triangles.size());
   std::vector<Pairs> found(shares.size());
+  std::vector<std::size_t> counts(shares.size(), 0);
   const auto compare = [&](Index share) {
-    tree_.visitPairs(boxes, shares[share], [&](Index a, Index b) {
+    counts[share] = tree_.visitPairs(boxes, shares[share], mostOfShare, [&](Index a, Index b) {
       if (!tree_.boxOf(a, positions).intersects(tree_.boxOf(b, positions))) return;
-      if (areCrossing(rest_.triangles[a], rest_.triangles[b], positions, kTouch)) found[share].emplace_back(a, b);
+      if (areCrossing(rest_.triangles[a], rest_.triangles[b], positions, kTouch))
+        found[share].crossing.emplace_back(a, b);
     });
+    found[share].areAll = counts[share] < mostOfShare;
   };
+  Pairs pairs;
+  std::size_t count = 0;
   for (std::size_t first = 0; first < shares.size(); first += kSharesAtOnce) {
     progress.proceed(static_cast<double>(first) / static_cast<double>(shares.size()));
-    parallelFor(static_cast<Index>(std::min(kSharesAtOnce, shares.size() - first)),
-                [&](Index k) { compare(static_cast<Index>(first) + k); });
+    const std::size_t end = std::min(first + kSharesAtOnce, shares.size());
+    parallelFor(static_cast<Index>(end - first), [&](Index k) { compare(static_cast<Index>(first) + k); });
+    for (std::size_t share = first; share < end; ++share) {
+      const auto& [crossing, areAll] = found[share];
+      pairs.crossing.insert(pairs.crossing.end(), crossing.begin(), crossing.end());
+      pairs.areAll = pairs.areAll && areAll;
+      count += counts[share];
+    }
+    if (count > most && end < shares.size()) {
+      pairs.areAll = false;
+      break;
+    }
   }
-  Pairs pairs;
-  for (const Pairs& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
   return pairs;
 }
 
 void CrossingSearch::markCrossedAtRest(Progress& progress)
 {
   std::vector<bool> isCrossed(static_cast<std::size_t>(atRest_.rows()), false);
-  for (const auto& [a, b] : pairsAt(atRest_, progress))
+  for (const auto& [a, b] : pairsAt(atRest_, progress).crossing)
     for (const int triangle : {a, b})
       for (const int vertex : rest_.triangles[triangle]) isCrossed[vertex] = true;
   isCrossedAtRest_ = std::move(isCrossed);

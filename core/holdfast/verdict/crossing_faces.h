@@ -14,19 +14,27 @@ namespace holdfast {
 /// Triangles that share a vertex may cross elsewhere; those that share an edge, or lie in one plane, do not.
 [[nodiscard]] bool areCrossing(const Triangle& a, const Triangle& b, const Positions& positions, double touch);
 
+struct CrossingTriangles {
+  std::vector<int> triangles;  ///< ascending
+  bool areAll = true;          ///< false where so many boxes meet that the search was given up
+};
+
 /// Finds them for one surface again and again: the tree is that of the surface at rest.
 class CrossingSearch {
  public:
   /// O(T log T). The rest stays alive as long as this.
   CrossingSearch(const RestSurface& rest, const Positions& atRest);
 
-  /// The triangles that cross others, ascending. Those that cross others at rest are left out with their neighbours:
-  /// where a surface passes through itself already, it says nothing of the deformation. O(T log T), over all cores.
-  /// Throws what `progress` throws.
-  [[nodiscard]] std::vector<int> find(const Positions& now, Progress& progress = noProgress());
+  /// The triangles that cross others. Those that cross others at rest are left out with their neighbours:
+  /// where a surface passes through itself already, it says nothing of the deformation. O(T log T), over all cores:
+  /// surfaces that are crumpled all over are looked at in part. Throws what `progress` throws.
+  [[nodiscard]] CrossingTriangles find(const Positions& now, Progress& progress = noProgress());
 
  private:
-  using Pairs = std::vector<std::pair<int, int>>;
+  struct Pairs {
+    std::vector<std::pair<int, int>> crossing;
+    bool areAll = true;
+  };
   [[nodiscard]] Pairs pairsAt(const Positions& places, Progress& progress) const;
   void markCrossedAtRest(Progress& progress);
 

@@ -51,12 +51,12 @@ Findings ResultCheck::addRest(ResultVerdict& verdict, const Positions& now, cons
   const std::vector<int> inverted = invertedTriangles(rest_, changeOf(surface).foldedHinges);
   addInverted(findings, mesh_, inverted);
   if (!crossings_) crossings_.emplace(rest_, atRest_);
-  const std::vector<int> crossing = crossings_->find(now, progress);
+  const CrossingTriangles crossing = crossings_->find(now, progress);
   addCrossing(findings, mesh_, crossing);
   addTargetFindings(findings, mesh_, system, rotations);
   addLevelRegions(findings, levelRegions(surface, system));
   verdict.invertedFaces = static_cast<Index>(facesOf(mesh_, inverted).size());
-  verdict.crossingFaces = static_cast<Index>(facesOf(mesh_, crossing).size());
+  verdict.crossingFaces = static_cast<Index>(facesOf(mesh_, crossing.triangles).size());
   verdict.targetMotions = targetMotionsOf(wholeMotions(system, mesh_));
   takeOver(findings, verdict);
   return findings;

@@ -131,10 +131,11 @@ void addInverted(Findings& findings, const SolverMesh& mesh, const std::vector<i
            fmt::format(" turned over against the surface around{}", kGentler));
 }
 
-void addCrossing(Findings& findings, const SolverMesh& mesh, const std::vector<int>& triangles)
+void addCrossing(Findings& findings, const SolverMesh& mesh, const CrossingTriangles& crossing)
 {
-  addAbout(findings, "crossing_faces", "face", facesOf(mesh, triangles), {"face crosses", "faces cross"},
-           fmt::format(" others and did not at rest: the surface passes through itself{}", kGentler));
+  addAbout(findings, "crossing_faces", "face", facesOf(mesh, crossing.triangles), {"face crosses", "faces cross"},
+           fmt::format(" others and did not at rest: the surface passes through itself{}{}",
+                       crossing.areAll ? "" : ", in so many places that only a part was searched", kGentler));
 }
 
 void addTargetFindings(Findings& findings, const SolverMesh& mesh, const ConstraintSystem& system,

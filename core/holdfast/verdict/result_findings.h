@@ -21,7 +21,7 @@ void addOvershootFindings(Findings& findings, const Overshoot& overshoot);
 
 /// Of triangles, see `invertedTriangles` and `CrossingSearch`.
 void addInverted(Findings& findings, const SolverMesh& mesh, const std::vector<int>& triangles);
-void addCrossing(Findings& findings, const SolverMesh& mesh, const std::vector<int>& triangles);
+void addCrossing(Findings& findings, const SolverMesh& mesh, const CrossingTriangles& crossing);
 
 /// Of targets that are their points turned, scaled or shifted as a whole, as far as the detail of the surface shows it:
 /// a rotation where rotations are given, and none is.

@@ -32,7 +32,7 @@ class RestingMesh {
   }
   [[nodiscard]] std::vector<Index> crossingAt(const Positions& now) const
   {
-    return facesOf(solverMesh_, CrossingSearch(rest_, mesh_.positions).find(now));
+    return facesOf(solverMesh_, CrossingSearch(rest_, mesh_.positions).find(now).triangles);
   }
   [[nodiscard]] Positions movedBy(const std::function<Vector3(const Vector3&)>& motion) const
   {
