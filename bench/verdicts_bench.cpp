@@ -18,11 +18,11 @@
 namespace holdfast::bench {
 namespace {
 
-/// The rows of the largest component of `count` overlapping points of faces; some of the points are said twice.
-std::vector<RowTerms> overlappingRows(const Model& model, Index count)
+/// The rows of the largest component of `count` overlapping points in so many faces; some of the points are said twice.
+std::vector<RowTerms> overlappingRows(const Model& model, Index count, Index faces)
 {
   constexpr std::size_t kRepeats = 37;
-  ConstraintList list = overlappingFacePoints(model.mesh, count, 3 * count);
+  ConstraintList list = overlappingFacePoints(model.mesh, count, faces);
   for (std::size_t k = 0; k < std::min(kRepeats, static_cast<std::size_t>(count)); ++k) {
     Constraint repeat = list.constraints[list.constraints.size() - 1 - 2 * k];
     repeat.name += " again";
@@ -56,12 +56,15 @@ void verdicts(benchmark::State& state, const Mesh& mesh)
 {
   const Model model = makeModel(mesh);
   const Index many = mesh.vertexCount() * 10 / 41;
-  const std::vector<RowTerms> fewRows = overlappingRows(model, many / 100);
-  const std::vector<RowTerms> manyRows = overlappingRows(model, many);
+  const std::vector<RowTerms> fewRows = overlappingRows(model, many / 100, 3 * (many / 100));
+  const std::vector<RowTerms> manyRows = overlappingRows(model, many, 3 * many);
+  // 1.1 for each vertex: a tenth and more of them follow from others.
+  const std::vector<RowTerms> crowdedRows = overlappingRows(model, many, 20 * many / 11);
   Samples samples;
   for ([[maybe_unused]] auto turn : state) {
     takeTurn(samples, "some", fewRows, model.solverMesh.unknownCount());
     takeTurn(samples, "a hundred times as many", manyRows, model.solverMesh.unknownCount());
+    takeTurn(samples, "as many, 1.1 a vertex", crowdedRows, model.solverMesh.unknownCount());
   }
   samples.report(state);
 }

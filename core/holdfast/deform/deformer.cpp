@@ -79,12 +79,10 @@ struct ConstraintFactorization {
             std::async(std::launch::deferred, [A, eliminated = eliminated] { return ActedOn(*A, eliminated->rows); })),
         rotations(std::make_shared<RotationFactorization>(model->solverMesh, std::move(operators),
                                                           options.solver.backend, ranks)),
-        positions([model = std::move(model), A, eliminated = eliminated, ranks, options = options,
-                   isAmplified = largestOf(*sensitivities) > kLargeSensitivity]() mutable {
+        positions([model = std::move(model), A, eliminated = eliminated, ranks, options = options]() mutable {
           const Columns3& rest = model->solverMesh.rest;
-          return makeSolver(
-              {A, eliminated, rest.rowwise() - rest.colwise().mean(), std::move(ranks), isAmplified},
-              inDiagonals(options, model->solverMesh));
+          return makeSolver({A, eliminated, rest.rowwise() - rest.colwise().mean(), std::move(ranks)},
+                            inDiagonals(options, model->solverMesh));
         })
   {
   }

@@ -63,8 +63,8 @@ std::vector<Index> constraintsThatGaveWay(const DeformDetails& details)
 Finding gaveWay(std::vector<Index> constraints)
 {
   const std::string why =
-      ", since their order takes more digits than doubles have: they were taken in strides; list points in a random "
-      "order to have it kept";
+      ", since their order takes more digits than doubles have: where so many rows are close, they are taken in "
+      "strides; list points in a random order to have it kept";
   return makeFinding(
       "later_constraints_stand", "constraint", std::move(constraints),
       {"constraint gave way to constraints behind it" + why, "constraints gave way to constraints behind them" + why});

@@ -23,6 +23,11 @@ constexpr std::chrono::milliseconds kLongestUnseen(100);
 // A hand that drags makes a longer pause only where it rests.
 constexpr std::chrono::milliseconds kRest(200);
 
+// While frames wait for one another, so much of their time goes into looking at results.
+constexpr double kLookedShare = 0.03;
+
+using Clock = std::chrono::steady_clock;
+
 }  // namespace
 
 struct LiveDeformer::Shared {
@@ -69,7 +74,9 @@ struct LiveDeformer::Shared {
       return {};
     }
     tell({Kind::Started, job.revision, "", nullptr});
+    const Clock::time_point start = Clock::now();
     LiveEvent end = endOf(job);
+    sinceLook += Clock::now() - start;
     const StopRequest last = finish(job);
     // A superseded result must not appear, even where no step was left to stop it at.
     if (last == StopRequest::GiveUpAndTell) end = {Kind::Cancelled, job.revision, "", nullptr};
@@ -126,10 +133,14 @@ struct LiveDeformer::Shared {
   void lookAt(const LiveEvent& result)
   {
     if (result.deformation == nullptr) return;
+    if (isWantedBefore(std::chrono::milliseconds(0)) && lastLook > kLookedShare * sinceLook) return;
     StoppableProgress progress([this] { return isWantedBefore(std::chrono::milliseconds(0)); },
                                [](std::string_view) {});
     try {
+      const Clock::time_point start = Clock::now();
       tellReport(result.revision, deformer->checked(*result.deformation));
+      lastLook = Clock::now() - start;
+      sinceLook = Clock::duration(0);
       if (!isWantedBefore(kRest)) tellReport(result.revision, deformer->examined(*result.deformation, progress));
     } catch (const Cancelled&) {
       return;
@@ -186,6 +197,8 @@ struct LiveDeformer::Shared {
   // The worker's own.
   std::unique_ptr<Deformer> deformer;
   DeformOptions deformerOptions;
+  std::chrono::duration<double> lastLook{0};   // how long it took
+  std::chrono::duration<double> sinceLook{0};  // what results have taken since
 };
 
 LiveDeformer::LiveDeformer(std::shared_ptr<const Model> model, Listener listener)

@@ -41,9 +41,10 @@ enum class Supersede {
   WhenDone
 };
 
-/// Deforms one model on a thread of its own. It looks at each result after it was told (`Deformer::checked`), and where
-/// nothing newer comes for a while with the care that a drag has no time for (`Deformer::examined`). Calls may come
-/// from one thread, the owner's.
+/// Deforms one model on a thread of its own. It looks at each result after it was told (`Deformer::checked`), but for
+/// frames that others wait for already, where that would take more than 3 % of the time of all; and where nothing newer
+/// comes for a while with the care that a drag has no time for (`Deformer::examined`). Calls may come from one thread,
+/// the owner's.
 class LiveDeformer {
  public:
   /// Called on the worker's thread, never after the destructor has returned, which waits for it. Does not throw.

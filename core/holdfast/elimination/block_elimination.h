@@ -21,8 +21,8 @@ class BlockElimination {
   struct Block {
     std::vector<Index> rows;  ///< in the order of R1
     std::vector<Index> unknowns;
-    SparseMatrix Q2;  ///< unknowns x (unknowns - rows that are not kept)
-    Reflections Q;    ///< of a large component
+    SparseMatrix Q2;              ///< unknowns x (unknowns - rows that are not kept)
+    Reflections Q;                ///< of a large component
     std::vector<FreePart> parts;  ///< of a large component
 
     [[nodiscard]] bool isLarge() const { return Q.h.size() > 0; }

@@ -74,8 +74,7 @@ std::vector<FreePart> freeParts(const std::vector<RowTerms>& rows, Index unknown
     for (const Term& term : rows[r])
       if (isFree[term.index]) free[r].push_back(term);
   std::vector<FreePart> parts;
-  for (RowComponent& component : connectedRows(free, unknownCount))
-    parts.push_back(partOf(std::move(component), free));
+  for (RowComponent& component : connectedRows(free, unknownCount)) parts.push_back(partOf(std::move(component), free));
   return parts;
 }
 

@@ -57,8 +57,11 @@ std::vector<Index> inStrides(std::size_t count)
 class BasisSearch {
  public:
   BasisSearch(std::vector<RowTerms> rows, std::size_t unknownCount, double tolerance)
-      : rows_(std::move(rows)), unknowns_(upTo(unknownCount)), tolerance_(tolerance),
-        isLarge_(std::max(rows_.size(), unknownCount) > kMostSequentialRows), role_(rows_.size(), Role::Open),
+      : rows_(std::move(rows)),
+        unknowns_(upTo(unknownCount)),
+        tolerance_(tolerance),
+        isLarge_(std::max(rows_.size(), unknownCount) > kMostSequentialRows),
+        role_(rows_.size(), Role::Open),
         rowsOf_(static_cast<Index>(unknownCount), [&](const auto& add) {
           for (std::size_t r = 0; r < rows_.size(); ++r)
             for (const Term& term : rows_[r]) add(term.index, static_cast<Index>(r));
@@ -80,18 +83,16 @@ class BasisSearch {
     const auto settledAs = [&](Role role, double distance) {
       return settle(order, roles, role, distance, isLastResort);
     };
-    if (isLarge_) {
-      bool isDecided = settledAs(Role::Out, kCrowdedDistance) != Settled::Not;
-      std::vector<Index> rows = matched(order, roles);
-      if (tolerance_ > kCrowdedDistance) isDecided = thinOut(rows, roles) && isDecided;
-      return {std::move(rows), isDecided, closeness(roles)};
-    }
+    const double waiting = isLarge_ ? kCrowdedDistance : kWaitingDistance;
     Settled settled = Settled::AllButSome;
-    if (tolerance_ < kWaitingDistance) settled = settledAs(Role::Waiting, kWaitingDistance);
+    if (isLarge_ || tolerance_ < waiting) settled = settledAs(Role::Waiting, waiting);
     bool isDecided = settled != Settled::Not;
     if (settled == Settled::AllButSome || (!isDecided && isLastResort))
-      isDecided = settledAs(Role::Out, tolerance_) != Settled::Not && isDecided;
-    return {matched(order, roles), isDecided, closeness(roles)};
+      isDecided =
+          settledAs(Role::Out, isLarge_ && isDecided ? kCrowdedDistance : tolerance_) != Settled::Not && isDecided;
+    std::vector<Index> rows = matched(order, roles);
+    if (isLarge_ && tolerance_ > kCrowdedDistance) isDecided = thinOut(rows, roles) && isDecided;
+    return {std::move(rows), isDecided, closeness(roles)};
   }
 
   [[nodiscard]] const std::vector<RowTerms>& rows() const { return rows_; }
@@ -199,10 +200,10 @@ class BasisSearch {
 
   [[nodiscard]] std::vector<double> closeness(const std::vector<Role>& roles) const
   {
+    const double waiting = isLarge_ ? kCrowdedDistance : kWaitingDistance;
     const double out = isLarge_ ? std::max(tolerance_, kCrowdedDistance) : tolerance_;
     std::vector<double> result;
-    for (const Role role : roles)
-      result.push_back(role == Role::Waiting ? kWaitingDistance : role == Role::Out ? out : 0);
+    for (const Role role : roles) result.push_back(role == Role::Waiting ? waiting : role == Role::Out ? out : 0);
     return result;
   }
 

@@ -11,13 +11,13 @@ namespace holdfast {
 /// Components of more rows or unknowns than that are large: a dense QR of so many takes some tenths of a second.
 inline constexpr std::size_t kMostSequentialRows = 512;
 
-/// In a component that is not large, rows that are closer than this to the span of others wait: rows behind them that
-/// can stand in their places do, and this is the distance of their dependencies. A basis of less close rows keeps its
-/// digits where circuits lead through many faces.
+/// Rows that are closer than this to the span of others wait: rows behind them that can stand in their places do, and
+/// this is the distance of their dependencies. A basis of less close rows keeps its digits where circuits lead through
+/// many faces.
 inline constexpr double kWaitingDistance = 1e-9;
 
-/// In a large one rows that are closer than this are left out.
-inline constexpr double kCrowdedDistance = 1e-10;
+/// The same in a large component. There rows that are as close at the end are left out.
+inline constexpr double kCrowdedDistance = 1e-8;
 
 /// `findDependencies` of one component. In the order of the rows, more of them than unknowns that they name depend
 /// whatever their coefficients are (`matchedRows`), and rows on the same unknowns are judged among themselves. What is

@@ -81,7 +81,6 @@ struct ConstrainedProblem {
   std::shared_ptr<const EliminatedConstraints> eliminated;
   Columns3 rest;                ///< n x 3, a typical solution to measure factors on
   std::vector<int> ranks = {};  ///< `eliminationRanks`; empty: the factorisation finds an order of its own
-  bool isAmplified = false;     ///< rows nearly depend on others: what they leave is measured with more digits
 
   [[nodiscard]] EliminationOrder eliminationOrder() const
   {

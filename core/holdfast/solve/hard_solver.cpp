@@ -19,15 +19,12 @@ constexpr double kMetByBase = 1e-10;
 
 // Solutions by multipliers that are less accurate than this are made by another basis where that is small.
 constexpr double kSufficientAccuracy = 1e-12;
-// Each takes off most of what rows that nearly depend on others make of rounding.
-constexpr int kRefinements = 2;
-
-// Rows that are missed by more than this share of what is still sufficient are met once more.
-constexpr double kWellMet = 0.01;
 // A basis with so many numbers is made and factorised in seconds.
 constexpr double kMostNumbersOfQ2 = 2e7;
 // One with so many takes gigabytes and minutes: only where rows are missed otherwise.
 constexpr double kMostNumbersOfNeededQ2 = 2e8;
+// Rows that are missed by more than this share of what is still sufficient are met once more.
+constexpr double kWellMet = 0.01;
 
 /// For each of `columns` sets of columns: in how many rows one of a set is the first.
 Eigen::VectorXd rowsOfSets(const SparseRows& rows, DisjointSets& columns)
@@ -93,8 +90,7 @@ class HardSolver final : public ConstrainedSolver {
     Result<ReducedProblem> result = bordered(reduced_, *problem_.eliminated, *others);
     if (!result) return {nullptr, std::move(result.failure)};
     return {
-        std::make_unique<HardSolver>(ConstrainedProblem{problem_.A, std::move(others), {}, {}, problem_.isAmplified},
-                                         std::move(result.value))};
+        std::make_unique<HardSolver>(ConstrainedProblem{problem_.A, std::move(others), {}}, std::move(result.value))};
   }
 
   /// The largest coordinate of what `u` leaves of the rows that hold.
@@ -132,22 +128,8 @@ class HardSolver final : public ConstrainedSolver {
   [[nodiscard]] Columns3 missedBy(const Columns3& u, const RowTargets& targets) const
   {
     Columns3 missed(B_.rows(), 3);
-    parallelBlocks(missed.rows(), [&](Index r) {
-      if (problem_.isAmplified)
-        missed.row(r) = leftOf(r, u, targets.shifts);
-      else
-        missed.row(r) = targets.shifts.row(r) - gathered(B_, r, u);
-    });
+    parallelBlocks(missed.rows(), [&](Index r) { missed.row(r) = targets.shifts.row(r) - gathered(B_, r, u); });
     return missed;
-  }
-
-  /// With the digits that the difference of nearly equal numbers takes, where the machine has them.
-  [[nodiscard]] Eigen::RowVector3d leftOf(Index row, const Columns3& u, const Columns3& shifts) const
-  {
-    Eigen::Matrix<long double, 1, 3> left = shifts.row(row).cast<long double>();
-    for (SparseRows::InnerIterator entry(B_, row); entry; ++entry)
-      left -= static_cast<long double>(entry.value()) * u.row(entry.col()).cast<long double>();
-    return left.cast<double>();
   }
 
   /// Whether `base` meets the rows that the base of this solver has as well: nothing else has changed.
@@ -185,11 +167,8 @@ class HardSolver final : public ConstrainedSolver {
   {
     if (!targets.reconciled.empty())
       return reconciledParticular(*problem_.eliminated, targets.reconciled, targets.shifts);
-    const Elimination& elimination = problem_.eliminated->elimination;
-    Columns3 u = targets.particular.rows() > 0 ? targets.particular : elimination.particular(targets.shifts);
-    for (int round = 0; problem_.isAmplified && round < kRefinements; ++round)
-      u += elimination.particular(missedBy(u, targets));
-    return u;
+    if (targets.particular.rows() > 0) return targets.particular;
+    return problem_.eliminated->elimination.particular(targets.shifts);
   }
 
   ConstrainedProblem problem_;

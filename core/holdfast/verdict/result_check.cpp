@@ -54,7 +54,7 @@ Findings ResultCheck::addRest(ResultVerdict& verdict, const Positions& now, cons
   const CrossingTriangles crossing = crossings_->find(now, progress);
   addCrossing(findings, mesh_, crossing);
   addTargetFindings(findings, mesh_, system, rotations);
-  addLevelRegions(findings, levelRegions(surface, system));
+  addLevelRegions(findings, levelRegions(surface, system), rotations);
   verdict.invertedFaces = static_cast<Index>(facesOf(mesh_, inverted).size());
   verdict.crossingFaces = static_cast<Index>(facesOf(mesh_, crossing.triangles).size());
   verdict.targetMotions = targetMotionsOf(wholeMotions(system, mesh_));

@@ -156,7 +156,7 @@ void addTargetFindings(Findings& findings, const SolverMesh& mesh, const Constra
       "targets if they were swapped");
 }
 
-void addLevelRegions(Findings& findings, const std::vector<LevelRegion>& regions)
+void addLevelRegions(Findings& findings, const std::vector<LevelRegion>& regions, RotationSource rotations)
 {
   std::vector<Index> constraints;
   double degrees = 0;
@@ -164,12 +164,10 @@ void addLevelRegions(Findings& findings, const std::vector<LevelRegion>& regions
     constraints.push_back(region.constraint);
     degrees = std::max(degrees, region.degrees);
   }
-  addAbout(
-      findings, "level_regions", "constraint", std::move(constraints),
-      {"region keeps its rotation", "regions keep their rotation"},
-      fmt::format(" while the surface around turns by up to {:.3g} degrees against it; let rotations be found, or give "
-                  "handles a rotation",
-                  degrees));
+  addAbout(findings, "level_regions", "constraint", std::move(constraints),
+           {"region keeps its rotation", "regions keep their rotation"},
+           fmt::format(" while the surface around turns by up to {:.3g} degrees against it; {}give handles a rotation",
+                       degrees, rotations == RotationSource::Given ? "let rotations be found, or " : ""));
 }
 
 }  // namespace holdfast

@@ -28,6 +28,6 @@ void addCrossing(Findings& findings, const SolverMesh& mesh, const CrossingTrian
 void addTargetFindings(Findings& findings, const SolverMesh& mesh, const ConstraintSystem& system,
                        RotationSource rotations);
 
-void addLevelRegions(Findings& findings, const std::vector<LevelRegion>& regions);
+void addLevelRegions(Findings& findings, const std::vector<LevelRegion>& regions, RotationSource rotations);
 
 }  // namespace holdfast

@@ -224,6 +224,21 @@ std::vector<Index> swappedTargets(const ConstraintSystem& system, const SolverMe
   return sortedOnce(std::move(swapped));
 }
 
+namespace {
+
+double degreesOf(const Eigen::Matrix3d& R)
+{
+  return holdfast::angleDegrees(rotationLog(R));
+}
+
+/// Whether detail of any size looks another way.
+bool isVisibleTurn(double degrees)
+{
+  return 2 * std::sin(degrees / 2 * kDegree) > kVisibleDetail;
+}
+
+}  // namespace
+
 std::vector<LevelRegion> levelRegions(const DeformedSurface& surface, const ConstraintSystem& system)
 {
   std::vector<LevelRegion> level;
@@ -231,8 +246,8 @@ std::vector<LevelRegion> levelRegions(const DeformedSurface& surface, const Cons
     const RotationFit own = rotationOfUnknowns(surface, unknowns);
     const RotationFit around = rotationOfUnknowns(surface, surroundingsOf(surface, unknowns));
     if (!own.isDetermined || !around.isDetermined) continue;
-    const double degrees = holdfast::angleDegrees(rotationLog(Eigen::Matrix3d(own.R.transpose() * around.R)));
-    if (2 * std::sin(degrees / 2 * kDegree) > kVisibleDetail) level.push_back({constraint, degrees});
+    const double degrees = degreesOf(own.R.transpose() * around.R);
+    if (!isVisibleTurn(degreesOf(own.R)) && isVisibleTurn(degrees)) level.push_back({constraint, degrees});
   }
   return level;
 }

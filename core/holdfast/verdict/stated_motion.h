@@ -43,8 +43,8 @@ struct LevelRegion {
   double degrees = 0;    ///< between its rotation and that of the surface around it
 };
 
-/// Rigid regions, and handles that state no rotation, that turn otherwise than the surface around them by an angle that
-/// is seen. O(rows + vertices times regions).
+/// Rigid regions, and handles that state no rotation, that stay level while the surface around them turns by an angle
+/// that is seen. O(rows + vertices times regions).
 [[nodiscard]] std::vector<LevelRegion> levelRegions(const DeformedSurface& surface, const ConstraintSystem& system);
 
 }  // namespace holdfast

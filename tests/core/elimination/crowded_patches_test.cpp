@@ -63,6 +63,17 @@ void expectCircuits(const std::vector<Dependency>& found, const std::vector<RowT
   for (const Dependency& dependency : found) expectCircuit(dependency, rows, independent, unknowns);
 }
 
+/// As many rows stand as any order has by counting, but for those that nearly depend on others, which are named.
+void expectRankBut(const std::vector<Dependency>& found, std::size_t rowCount, std::size_t byCounting)
+{
+  const std::size_t standing = rowCount - found.size();
+  const auto undecided = static_cast<std::size_t>(
+      std::ranges::count_if(found, [](const Dependency& d) { return d.distance > kRoundingDistance; }));
+  EXPECT_LE(standing, byCounting);
+  EXPECT_GE(standing + undecided, byCounting);
+  EXPECT_LE(undecided, rowCount / 100);
+}
+
 constexpr std::array kRowsPerVertex{0.8, 0.95, 1.1, 2.0, 3.0};
 
 TEST(CrowdedPatches, KeepTheRankOfRowsAtRandomInTheirOrder)
@@ -76,7 +87,7 @@ TEST(CrowdedPatches, KeepTheRankOfRowsAtRandomInTheirOrder)
       const std::vector<Dependency> found = findDependencies(rows, n);
       const std::vector<Index> byCounting = matchedRows(rows, everyRow(rows), n);
       const std::vector<Index> independent = independentRows(found, rows.size());
-      ASSERT_EQ(independent.size(), byCounting.size());
+      expectRankBut(found, rows.size(), byCounting.size());
       std::vector<Index> moved;
       std::ranges::set_difference(independent, byCounting, std::back_inserter(moved));
       EXPECT_LE(moved.size(), 2U) << "rows that nearly depend on others wait";

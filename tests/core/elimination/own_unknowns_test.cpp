@@ -97,7 +97,7 @@ TEST(OwnUnknowns, OfAChainMoveNoFurtherThanPromisedFromEitherEnd)
 TEST(OwnUnknowns, ThatPullOnOneUnknownCountTogether)
 {
   // Each of the first three moves by half of what is promised where unknown 3 moves by 1.
-  const std::vector<RowTerms> rows{{{0, 2e-6}, {3, 1}}, {{1, 2e-6}, {3, 1}}, {{2, 2e-6}, {3, 1}},
+  const std::vector<RowTerms> rows{{{0, 2e-2}, {3, 1}}, {{1, 2e-2}, {3, 1}}, {{2, 2e-2}, {3, 1}},
                                    {{3, 1}, {4, 1}},    {{4, 1}, {5, 1}},    {{4, 1}, {5, 0.5}}};
   const std::vector<OwnUnknown> found = ownUnknowns(rows, 6);
   EXPECT_EQ(found.size(), 3U);
@@ -106,7 +106,7 @@ TEST(OwnUnknowns, ThatPullOnOneUnknownCountTogether)
 
 TEST(OwnUnknowns, ThatPullOnOneUnknownAreListedWhereTheyMoveLittle)
 {
-  const std::vector<RowTerms> rows{{{0, 2e-5}, {3, 1}}, {{1, 2e-5}, {3, 1}}, {{2, 2e-5}, {3, 1}},
+  const std::vector<RowTerms> rows{{{0, 2e-1}, {3, 1}}, {{1, 2e-1}, {3, 1}}, {{2, 2e-1}, {3, 1}},
                                    {{3, 1}, {4, 1}},    {{4, 1}, {5, 1}},    {{4, 1}, {5, 0.5}}};
   const std::vector<OwnUnknown> found = ownUnknowns(rows, 6);
   EXPECT_GE(found.size(), 4U);

@@ -28,12 +28,17 @@ std::vector<Index> firstRows(std::size_t count)
   return order;
 }
 
-Index rankOf(const std::vector<RowTerms>& rows, const std::vector<Index>& some, Index unknowns)
+Eigen::MatrixXd denseRows(const std::vector<RowTerms>& rows, const std::vector<Index>& some, Index unknowns)
 {
   Eigen::MatrixXd B = Eigen::MatrixXd::Zero(static_cast<Index>(some.size()), unknowns);
   for (std::size_t k = 0; k < some.size(); ++k)
     for (const Term& term : rows[some[k]]) B(static_cast<Index>(k), term.index) = term.coefficient;
-  return Eigen::FullPivLU<Eigen::MatrixXd>(B).rank();
+  return B;
+}
+
+Index rankOf(const std::vector<RowTerms>& rows, const std::vector<Index>& some, Index unknowns)
+{
+  return Eigen::FullPivLU<Eigen::MatrixXd>(denseRows(rows, some, unknowns)).rank();
 }
 
 TEST(RowMatching, LeavesOutTheRowsThatDoNotRaiseTheRankOfRandomOnes)
@@ -74,6 +79,27 @@ TEST(RowMatching, OfNothingIsNothing)
 {
   EXPECT_TRUE(matchedRows({}, {}, 3).empty());
   EXPECT_TRUE(matchedRows({{}}, {0}, 3).empty()) << "a row that names no unknown";
+}
+
+TEST(FreeUnknowns, AreThoseThatMoveWhereTheRowsAreMetWithZero)
+{
+  constexpr Index kRandomUnknowns = 16;
+  bool areSomeDetermined = false;
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    test::Random random(seed);
+    std::vector<RowTerms> all;
+    for (int k = 0; k < 13; ++k) all.push_back(randomRow(random, kRandomUnknowns));
+    std::vector<RowTerms> rows;
+    for (const Index row : matchedRows(all, firstRows(all.size()), kRandomUnknowns)) rows.push_back(all[row]);
+    const Eigen::MatrixXd B = denseRows(rows, firstRows(rows.size()), kRandomUnknowns);
+    const Eigen::MatrixXd kernel = Eigen::FullPivLU<Eigen::MatrixXd>(B).kernel();
+    const std::vector<bool> isFree = freeUnknowns(rows, kRandomUnknowns);
+    for (Index u = 0; u < kRandomUnknowns; ++u) {
+      EXPECT_EQ(isFree[u], kernel.row(u).cwiseAbs().maxCoeff() > 1e-9) << "seed " << seed << ", unknown " << u;
+      areSomeDetermined = areSomeDetermined || !isFree[u];
+    }
+  }
+  EXPECT_TRUE(areSomeDetermined);
 }
 
 }  // namespace

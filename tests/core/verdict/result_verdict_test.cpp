@@ -255,9 +255,28 @@ TEST(ResultVerdict, AHandleThatStaysLevelWhileItsSurroundingsTiltIsNamed)
   const Mesh plate = test::grid(10, 4);
   std::vector<Constraint> constraints = lifted(plate, 5);
   constraints.push_back(test::handle(discOf(plate), std::monostate(), Vector3(0, 0, 2)));
-  EXPECT_THAT(findingIn(reportOf(plate, constraints), "level_regions").ids, ElementsAre(4));
+  const Report given = reportOf(plate, constraints);
+  EXPECT_THAT(findingIn(given, "level_regions").ids, ElementsAre(4));
+  EXPECT_THAT(findingIn(given, "level_regions").message, testing::HasSubstr("let rotations be found"));
+  const Report found = reportOf(plate, constraints, RotationSource::Found);
+  EXPECT_THAT(findingIn(found, "level_regions").message, testing::Not(testing::HasSubstr("let rotations be found")));
   constraints.back() = test::handle(discOf(plate), AxisRotation{Vector3::UnitY(), -25, {}}, Vector3(0, 0, 2));
   EXPECT_EQ(test::findingOf(reportOf(plate, constraints), "level_regions"), nullptr) << "it says how it turns";
+}
+
+TEST(ResultVerdict, ARegionThatPointsTurnAgainstItsSurroundingsIsNotLevel)
+{
+  const Mesh plate = test::grid(10, 4);
+  std::vector<Constraint> constraints = lifted(plate, 0);
+  const std::vector<Index> disc = discOf(plate);
+  const Eigen::AngleAxisd turn(0.6, Vector3::UnitY());
+  for (const std::size_t k : {std::size_t{0}, disc.size() / 2, disc.size() - 1}) {
+    const Vector3 arm = (plate.positions.row(disc[k]) - plate.positions.row(disc[0])).transpose();
+    constraints.push_back(test::moveTo(AtVertex{disc[k]}, plate.positions.row(disc[0]).transpose() + turn * arm));
+  }
+  constraints.push_back(test::rigid(disc));
+  EXPECT_EQ(test::findingOf(reportOf(plate, constraints, RotationSource::Found), "level_regions"), nullptr);
+  EXPECT_EQ(test::findingOf(reportOf(plate, constraints, RotationSource::FoundSmooth), "level_regions"), nullptr);
 }
 
 TEST(ResultVerdict, FramesLeaveOutWhatTakesLonger)

@@ -123,19 +123,19 @@ void DocumentFiles::find(const std::shared_ptr<Opening>& opening)
 void DocumentFiles::weld(double tolerance)
 {
   failure_ = tr("The mesh cannot be welded.");
-  job_.start([this, tolerance, path = editor_.mesh().path,
-              document = editor_.mesh().document](Progress& progress) mutable {
-    auto mesh = std::make_shared<LoadedMesh>(prepareMesh(std::move(document), path, progress, tolerance));
-    return [this, mesh] {
-      const fs::path session = sessionPath_;
-      const std::string checksum = meshChecksum_;
-      const ViewState view = view_();
-      editor_.remodel(std::move(*mesh));
-      meshChecksum_ = checksum;
-      setPath(session);
-      Q_EMIT viewOpened(view);
-    };
-  });
+  job_.start(
+      [this, tolerance, path = editor_.mesh().path, document = editor_.mesh().document](Progress& progress) mutable {
+        auto mesh = std::make_shared<LoadedMesh>(prepareMesh(std::move(document), path, progress, tolerance));
+        return [this, mesh] {
+          const fs::path session = sessionPath_;
+          const std::string checksum = meshChecksum_;
+          const ViewState view = view_();
+          editor_.remodel(std::move(*mesh));
+          meshChecksum_ = checksum;
+          setPath(session);
+          Q_EMIT viewOpened(view);
+        };
+      });
   showProgress(job_, window_, tr("Welding vertices"));
 }
 

@@ -189,7 +189,7 @@ class Editor : public QObject {
   void setUnderCursor(UnderCursor underCursor);
 
  Q_SIGNALS:
-  void opened();             ///< another document, or none
+  void opened();  ///< another document, or none
   /// By the user, or a state that was undone: whoever has files prepares one, and calls `remodel`.
   void meshWanted(double weldTolerance);
   void stateChanged();       ///< the list or the options; the history with them

@@ -206,9 +206,9 @@ class ReportPanel final : public RefreshedPanel {
         tr("Rotations are found when an iteration moves no vertex by more than this share of "
            "the diagonal"));
     weld_ = named(new NumberEdit, "reportWeld");
-    weld_->setToolTip(
-        tr("Vertices that are no farther apart than this length are one for the solver; 0 joins those at one place. The "
-           "file keeps its vertices."));
+    weld_->setToolTip(tr(
+        "Vertices that are no farther apart than this length are one for the solver; 0 joins those at one place. The "
+        "file keeps its vertices."));
     options_ = new QFormLayout;
     options_->setHorizontalSpacing(10);
     options_->setVerticalSpacing(6);

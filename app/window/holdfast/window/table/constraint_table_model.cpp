@@ -175,9 +175,8 @@ QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
     case Qt::DecorationRole:
       return column == Status ? QVariant(statusIcon(status(row), QGuiApplication::palette())) : QVariant();
     case Qt::TextAlignmentRole:
-      return QVariant(isOfNumbers(column)
-                          ? static_cast<int>(Qt::AlignRight | Qt::AlignVCenter)
-                          : static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter));
+      return QVariant(isOfNumbers(column) ? static_cast<int>(Qt::AlignRight | Qt::AlignVCenter)
+                                          : static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter));
     case Qt::BackgroundRole:
       return row == marked_ ? QVariant(QBrush(markedColor())) : QVariant();
     case Qt::ForegroundRole:
