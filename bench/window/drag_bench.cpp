@@ -60,14 +60,14 @@ class DraggedWindow {
     QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &scope_, [this] { shown(); });
   }
 
-  /// Presses `grip` pixels right of the middle of the gizmo, and moves up and down from there.
+  /// Presses `grip` pixels left of the middle of the gizmo, and moves up and down from there.
   void drag(Samples& samples, const std::string& row, double grip)
   {
     samples_ = &samples;
     row_ = row;
     const QPointF from =
         viewport().toPlace(toDisplay(viewport().renderer(), window_.gizmo().gizmo().GetFrame().center).head<2>()) +
-        QPointF(grip, 0);
+        QPointF(-grip, 0);
     test::moveMouse(viewport(), from);
     test::pressMouse(viewport(), from);
     require(window_.gizmo().isTouched(), "the gizmo is grabbed");

@@ -80,7 +80,7 @@ TEST_F(PictureOfBar, TheShapeAtRestIsNotWhiteWhereItsLayersOverlap)
   open("head.ply", "head.rigid_eyes.constraints.json");
   viewport().setColors({ColorBy::None});
   const auto drawnWith = [this](RestGhost ghost) {
-    viewport().setDisplay({ghost, MeshEdges::Sharp, SurfaceDisplay::Shaded, RotationDisplay::Arrows, true});
+    viewport().setDisplay({ghost, MeshEdges::Sharp, SurfaceDisplay::Shaded, RotationDisplay::Hidden, false});
     EXPECT_TRUE(settle());
     return viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
   };

@@ -334,13 +334,13 @@ class ReportPanel final : public RefreshedPanel {
     refuse(tr("A last change must be positive: a share of the diagonal."));
   }
 
+  /// The line shows it once the mesh is welded.
   void setWeld(double tolerance)
   {
-    if (tolerance < 0) {
-      weld_->replaceTyped(editor_.state().options.weldTolerance);
-      return refuse(tr("A distance within which vertices are welded must be 0 or more."));
-    }
-    if (tolerance != editor_.state().options.weldTolerance) editor_.weldWithin(tolerance);
+    const double before = editor_.state().options.weldTolerance;
+    weld_->replaceTyped(before);
+    if (tolerance < 0) return refuse(tr("A distance within which vertices are welded must be 0 or more."));
+    if (tolerance != before) editor_.weldWithin(tolerance);
   }
 
   void refuse(const QString& reason)

@@ -134,7 +134,7 @@ class ConstraintPanel : public QWidget {
 
     const int wide = table_->fontMetrics().horizontalAdvance('0');
     int sized = 0;
-    for (const double characters : {3.0, 12.5, 8.0, 20.0, 8.3, 8.3, 8.3, 7.5, 8.0, 12.0})
+    for (const double characters : {3.0, 12.5, 8.0, 20.0, 8.3, 8.3, 8.3, 8.3, 7.5, 8.0, 12.0})
       table_->setColumnWidth(sized++, static_cast<int>(characters * wide));
     QHeaderView& titles = *table_->horizontalHeader();
     // A narrow panel shows first what is read and typed most.

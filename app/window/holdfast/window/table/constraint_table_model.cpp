@@ -362,7 +362,9 @@ void ConstraintTableModel::follow()
 
 void ConstraintTableModel::resultsChanged()
 {
-  if (rowCount() > 0) Q_EMIT dataChanged(index(0, Distance), index(rowCount() - 1, Status));
+  // Not of columns between them: what is being typed there would be lost.
+  for (const auto& [first, last] : {std::pair(Distance, Distance), std::pair(Residual, Status)})
+    if (rowCount() > 0) Q_EMIT dataChanged(index(0, first), index(rowCount() - 1, last));
 }
 
 }  // namespace holdfast
