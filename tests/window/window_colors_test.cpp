@@ -165,7 +165,8 @@ class ColorsOfBar : public test::WindowUser {
     vtkDataArray* shares = data->GetPointData()->GetScalars();
     ASSERT_NE(shares, nullptr);
     for (std::size_t k = 0; k < mesh.vertexOf().size(); ++k) {
-      const double wanted = tablePlace(viewport().coloring()->scale, values[static_cast<std::size_t>(mesh.vertexOf()[k])]);
+      const double wanted =
+          tablePlace(viewport().coloring()->scale, values[static_cast<std::size_t>(mesh.vertexOf()[k])]);
       const double given = shares->GetTuple1(static_cast<vtkIdType>(k));
       // Lengths of vectors are rounded here and there in ways of their own.
       if (std::isnan(wanted))

@@ -65,7 +65,8 @@ class TypedTarget : public test::WindowUser {
   void expectTyped(const Vector3& place, const char* where)
   {
     for (int axis = 0; axis < 3; ++axis)
-      EXPECT_TRUE(hasSameBits(place[axis], typed[axis])) << where << ", axis " << axis << ": " << place[axis] << " for " << typed[axis];
+      EXPECT_TRUE(hasSameBits(place[axis], typed[axis]))
+          << where << ", axis " << axis << ": " << place[axis] << " for " << typed[axis];
   }
 
   test::TemporaryFolder folder;
