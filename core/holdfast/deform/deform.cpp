@@ -91,6 +91,7 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   report.constraints = outcomes(details, {});
   for (Finding& finding : constraintFindings(model, eliminated, details))
     report.mesh.findings.push_back(std::move(finding));
+  if (std::optional<Finding> crowd = crowdedFinding(details)) report.mesh.findings.push_back(*std::move(crowd));
   placeFindings.addTo(report.mesh.findings);
   addTargets(report, model, details.system, options.rotations.source);
   return report;

@@ -255,6 +255,8 @@ class Solution {
     }
     addFindings(factorization);
     if (report().status != SolveStatus::Failed) solve(factorization, progress);
+    if (std::optional<Finding> crowd = crowdedFinding(*details_))
+      result_.report.mesh.findings.push_back(*std::move(crowd));
     details_->diagnosis.particular = {};
     return std::move(result_);
   }

@@ -30,13 +30,26 @@ Finding nearlyDependent(std::vector<Index> spread, double largest)
        "constraints nearly follow from others: " + amount + "move their points apart, or leave some out"});
 }
 
-/// Constraints with rows that were left out, too close to a combination of others to be told from it.
-std::vector<Index> undecidedConstraints(const DeformDetails& details)
+/// The constraints of the dependent rows for which `isMeant(dependency)` holds, ascending.
+template <class Predicate>
+std::vector<Index> constraintsOf(const DeformDetails& details, const Predicate& isMeant)
 {
   std::vector<Index> result;
   for (const auto& [dependency, gap] : details.diagnosis.dependent)
-    if (dependency.distance > kRoundingDistance) result.push_back(details.system.rows[dependency.row].constraint);
+    if (isMeant(dependency)) result.push_back(details.system.rows[dependency.row].constraint);
   return sortedOnce(std::move(result));
+}
+
+/// Whether the row was left out, too close to a combination of others to be told from it.
+bool isUndecided(const Dependency& dependency)
+{
+  return dependency.distance > kRoundingDistance;
+}
+
+/// Whether rows behind it stand in its place, though doubles tell them well.
+bool gaveWay(const Dependency& dependency)
+{
+  return !isUndecided(dependency) && !dependency.terms.empty() && dependency.terms.back().index > dependency.row;
 }
 
 Finding undecided(std::vector<Index> constraints)
@@ -49,18 +62,7 @@ Finding undecided(std::vector<Index> constraints)
                       "with them; left out as if they did: move their points, or leave some out"});
 }
 
-/// Constraints with rows in whose place rows of constraints behind them stand, though doubles tell them well.
-std::vector<Index> constraintsThatGaveWay(const DeformDetails& details)
-{
-  std::vector<Index> result;
-  for (const auto& [dependency, gap] : details.diagnosis.dependent)
-    if (!dependency.terms.empty() && dependency.terms.back().index > dependency.row &&
-        dependency.distance <= kRoundingDistance)
-      result.push_back(details.system.rows[dependency.row].constraint);
-  return sortedOnce(std::move(result));
-}
-
-Finding gaveWay(std::vector<Index> constraints)
+Finding laterStand(std::vector<Index> constraints)
 {
   const std::string why =
       ", since their order takes more digits than doubles have: where so many rows are close, they are taken in "
@@ -72,15 +74,6 @@ Finding gaveWay(std::vector<Index> constraints)
 
 // Fewer are named one by one, and may be mended so.
 constexpr Index kCrowd = 100;
-
-std::vector<Index> conflictingConstraints(const DeformDetails& details)
-{
-  std::vector<Index> result;
-  for (const auto& [dependency, gap] : details.diagnosis.dependent)
-    if (details.diagnosis.status[dependency.row] == RowStatus::Conflicting)
-      result.push_back(details.system.rows[dependency.row].constraint);
-  return sortedOnce(std::move(result));
-}
 
 Finding crowded(std::vector<Index> constraints)
 {
@@ -242,12 +235,10 @@ std::vector<Finding> constraintFindings(const Model& model, const EliminatedCons
       if (ofConstraints[c].value_or(0) > kLargeSensitivity) spread.push_back(static_cast<Index>(c));
     findings.push_back(nearlyDependent(std::move(spread), *largest));
   }
-  if (std::vector<Index> left = undecidedConstraints(details); !left.empty())
+  if (std::vector<Index> left = constraintsOf(details, isUndecided); !left.empty())
     findings.push_back(undecided(std::move(left)));
-  if (std::vector<Index> behind = constraintsThatGaveWay(details); !behind.empty())
-    findings.push_back(gaveWay(std::move(behind)));
-  if (std::vector<Index> many = conflictingConstraints(details); static_cast<Index>(many.size()) > kCrowd)
-    findings.push_back(crowded(std::move(many)));
+  if (std::vector<Index> behind = constraintsOf(details, gaveWay); !behind.empty())
+    findings.push_back(laterStand(std::move(behind)));
   for (const ConstraintNote& note : details.system.notes)
     findings.push_back({note.kind,
                         1,
@@ -255,6 +246,15 @@ std::vector<Finding> constraintFindings(const Model& model, const EliminatedCons
                         {note.constraint},
                         fmt::format("{} {}", inQuotes((*details.labels)[note.constraint].name), note.message)});
   return findings;
+}
+
+std::optional<Finding> crowdedFinding(const DeformDetails& details)
+{
+  std::vector<Index> many = constraintsOf(details, [&](const Dependency& dependency) {
+    return details.diagnosis.status[dependency.row] == RowStatus::Conflicting;
+  });
+  if (static_cast<Index>(many.size()) <= kCrowd) return std::nullopt;
+  return crowded(std::move(many));
 }
 
 }  // namespace holdfast

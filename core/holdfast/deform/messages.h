@@ -45,4 +45,7 @@ inline constexpr double kDoubtfulAccuracy = 1e-9;
 [[nodiscard]] std::vector<Finding> constraintFindings(const Model& model, const EliminatedConstraints& eliminated,
                                                       const DeformDetails& details);
 
+/// What helps where more constraints contradict others than can be mended one by one.
+[[nodiscard]] std::optional<Finding> crowdedFinding(const DeformDetails& details);
+
 }  // namespace holdfast
