@@ -14,7 +14,7 @@ inline constexpr std::size_t kMostSequentialRows = 512;
 /// Rows that are closer than this to the span of others wait: rows behind them that can stand in their places do, and
 /// this is the distance of their dependencies. A basis of less close rows keeps its digits where circuits lead through
 /// many faces.
-inline constexpr double kWaitingDistance = 1e-9;
+inline constexpr double kWaitingDistance = 1e-10;
 
 /// The same in a large component. There rows that are as close at the end are left out.
 inline constexpr double kCrowdedDistance = 1e-8;
