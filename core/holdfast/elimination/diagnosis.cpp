@@ -126,6 +126,16 @@ double gapPerChange(const EliminatedConstraints& eliminated, const Dependency& d
   return std::sqrt(squares);
 }
 
+/// What a row that is no exact combination of others may miss of the shortest displacement, though a longer one that
+/// moves vertices as far as rows ask for meets it with them.
+double undecidedGap(const Dependency& dependency, const ConstraintSystem& system)
+{
+  if (dependency.distance <= kRoundingDistance) return 0;
+  double asked = system.rows[dependency.row].shift.stableNorm();
+  for (const Term& term : dependency.terms) asked = std::max(asked, system.rows[term.index].shift.stableNorm());
+  return dependency.distance * asked;
+}
+
 /// What each dependent row misses of a displacement `u` that meets the independent ones: its gap. Read off there, it is
 /// free of the rounding of the coefficients a_k.
 std::vector<DependentRow> gapsOf(const EliminatedConstraints& eliminated, const ConstraintSystem& system,
@@ -195,7 +205,8 @@ Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSyst
   for (const auto& [dependency, gap] : diagnosis.dependent) {
     const double limit = kConsistentShare * diagnosis.limits[dependency.row];
     const bool agrees = gap.stableNorm() <= limit * gapPerChange(eliminated, dependency);
-    diagnosis.status[dependency.row] = agrees ? RowStatus::Redundant : RowStatus::Conflicting;
+    const bool mayAgree = agrees || gap.stableNorm() <= undecidedGap(dependency, system);
+    diagnosis.status[dependency.row] = mayAgree ? RowStatus::Redundant : RowStatus::Conflicting;
     if (agrees && gap.stableNorm() > kToldShare * limit) diagnosis.reconciled.push_back(dependency.row);
     isMissed = isMissed || (agrees && gap.stableNorm() > limit);
   }

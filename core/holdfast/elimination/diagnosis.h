@@ -12,7 +12,7 @@ namespace holdfast {
 
 enum class RowStatus {
   Independent,  ///< enforced
-  Redundant,    ///< follows from rows before it, and agrees with them
+  Redundant,    ///< follows from rows before it, and agrees with them, or nearly follows and may agree
   Conflicting   ///< follows from rows before it, and asks for something else: left out
 };
 
