@@ -473,7 +473,7 @@ class Solution {
   {
     Diagnosis& diagnosis = details_->diagnosis;
     for (const auto& [dependency, gap] : diagnosis.dependent)
-      if (dependency.distance > kRoundingDistance)
+      if (dependency.isUndecided())
         diagnosis.status[dependency.row] = details_->residuals[dependency.row] <= diagnosis.limits[dependency.row]
                                                ? RowStatus::Redundant
                                                : RowStatus::Conflicting;

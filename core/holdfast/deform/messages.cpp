@@ -1,6 +1,7 @@
 #include "holdfast/deform/messages.h"
 
 #include <algorithm>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -40,16 +41,10 @@ std::vector<Index> constraintsOf(const DeformDetails& details, const Predicate& 
   return sortedOnce(std::move(result));
 }
 
-/// Whether the row was left out, too close to a combination of others to be told from it.
-bool isUndecided(const Dependency& dependency)
-{
-  return dependency.distance > kRoundingDistance;
-}
-
 /// Whether rows behind it stand in its place, though doubles tell them well.
 bool gaveWay(const Dependency& dependency)
 {
-  return !isUndecided(dependency) && !dependency.terms.empty() && dependency.terms.back().index > dependency.row;
+  return !dependency.isUndecided() && !dependency.terms.empty() && dependency.terms.back().index > dependency.row;
 }
 
 Finding undecided(std::vector<Index> constraints)
@@ -235,7 +230,7 @@ std::vector<Finding> constraintFindings(const Model& model, const EliminatedCons
       if (ofConstraints[c].value_or(0) > kLargeSensitivity) spread.push_back(static_cast<Index>(c));
     findings.push_back(nearlyDependent(std::move(spread), *largest));
   }
-  if (std::vector<Index> left = constraintsOf(details, isUndecided); !left.empty())
+  if (std::vector<Index> left = constraintsOf(details, std::mem_fn(&Dependency::isUndecided)); !left.empty())
     findings.push_back(undecided(std::move(left)));
   if (std::vector<Index> behind = constraintsOf(details, gaveWay); !behind.empty())
     findings.push_back(laterStand(std::move(behind)));

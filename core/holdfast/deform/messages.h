@@ -45,7 +45,8 @@ inline constexpr double kDoubtfulAccuracy = 1e-9;
 [[nodiscard]] std::vector<Finding> constraintFindings(const Model& model, const EliminatedConstraints& eliminated,
                                                       const DeformDetails& details);
 
-/// What helps where more constraints contradict others than can be mended one by one.
+/// A finding that says what helps where more constraints contradict others than a person mends one by one; none where
+/// they are fewer.
 [[nodiscard]] std::optional<Finding> crowdedFinding(const DeformDetails& details);
 
 }  // namespace holdfast

@@ -1,19 +1,15 @@
 #include "holdfast/elimination/basis_circuits.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <queue>
 #include <utility>
 
 #include <Eigen/OrderingMethods>
 
 #include <holdfast/base/parallel.h>
-#include <holdfast/elimination/sequential_qr.h>
 #include <holdfast/elimination/sparse_qr.h>
-#include <holdfast/mesh/index_lists.h>
 
 namespace holdfast {
 namespace {
@@ -23,12 +19,6 @@ constexpr double kFollowedShare = std::numeric_limits<double>::epsilon() / 16;
 
 // Rows whose circuits a thread finds at a time.
 constexpr Index kRowsAtATime = 1024;
-
-// R of the QR of a basis is nearly full in the columns of other rows. Of so many it is small beside R of the basis.
-constexpr std::size_t kFewOthers = 4000;
-
-// Circuits have 25 to 50 rows where a patch is crowded. Few lead farther.
-constexpr std::array kRingsOfPatches{10, 20, 40};
 
 /// Solves R x = r for sparse r, R upper triangular, the diagonal last in each column. Its workspace is cleared where it
 /// was touched.
@@ -167,104 +157,6 @@ class BasisQr {
   SparseMatrix R11_;
 };
 
-std::vector<Dependency> circuitsByOneQr(const std::vector<RowTerms>& rows, const std::vector<Index>& basis,
-                                        const std::vector<Index>& others, const std::vector<Index>& unknowns)
-{
-  std::vector<Index> order = inFillReducingOrder(rows, basis, unknowns);
-  order.insert(order.end(), others.begin(), others.end());
-  const BasisQr qr(rows, std::move(order), static_cast<Index>(basis.size()), unknowns);
-  std::vector<Dependency> result(others.size());
-  const auto count = static_cast<Index>(others.size());
-  parallelFor((count + kRowsAtATime - 1) / kRowsAtATime, [&](Index part) {
-    SparseBackSolve solve(qr.R11());
-    Eigen::VectorXd residual = Eigen::VectorXd::Zero(static_cast<Index>(unknowns.size()));
-    for (Index k = part * kRowsAtATime; k < std::min(count, (part + 1) * kRowsAtATime); ++k)
-      result[k] = qr.of(qr.basisSize() + k, solve, residual);
-  });
-  return result;
-}
-
-/// Finds circuits in patches: what is reached in so many steps from row to row by shared unknowns. A circuit that
-/// closes within a patch is the one of the whole basis, which is independent.
-class CircuitPatches {
- public:
-  CircuitPatches(const std::vector<RowTerms>& rows, const std::vector<Index>& basis, const std::vector<Index>& others)
-      : rows_(rows), others_(others), placeOf_(rows.size(), kNowhere), rings_(others.size(), 0), seen_(rows.size(), 0)
-  {
-    for (const Index row : basis) placeOf_[row] = kInBasis;
-    for (std::size_t k = 0; k < others.size(); ++k) placeOf_[others[k]] = static_cast<Index>(k);
-    Index unknownCount = 0;
-    for (const RowTerms& row : rows)
-      for (const Term& term : row) unknownCount = std::max(unknownCount, term.index + 1);
-    rowsOf_ = IndexLists(unknownCount, [&](const auto& add) {
-      for (std::size_t r = 0; r < rows.size(); ++r)
-        if (placeOf_[r] != kNowhere)
-          for (const Term& term : rows[r]) add(term.index, static_cast<Index>(r));
-    });
-  }
-
-  /// Whether no patch of so many rings had the row near its middle.
-  [[nodiscard]] bool isOpen(std::size_t place, int rings) const { return rings_[place] < rings; }
-
-  /// Looks for the circuits of the rows near one of `others`.
-  void findAround(std::size_t place, int rings, std::vector<std::optional<Dependency>>& found)
-  {
-    ++search_;
-    std::vector<Index> basis;
-    std::vector<Index> middle;
-    std::vector<Index> front{others_[place]};
-    seen_[front.front()] = search_;
-    for (int ring = 0; ring <= rings; ++ring) {
-      for (const Index row : front)
-        if (placeOf_[row] == kInBasis)
-          basis.push_back(row);
-        else if (2 * ring <= rings && !found[placeOf_[row]] && rings_[placeOf_[row]] < rings)
-          middle.push_back(row);
-      front = behind(front);
-    }
-    std::ranges::sort(basis);
-    if (basis.empty()) return;
-    const std::vector<Dependency> circuits = circuitsByOneQr(rows_, basis, middle, unknownsOf(basis, middle));
-    for (std::size_t k = 0; k < middle.size(); ++k) {
-      const Index own = placeOf_[middle[k]];
-      rings_[own] = rings;
-      if (circuits[k].distance <= kRoundingDistance) found[own] = circuits[k];
-    }
-  }
-
- private:
-  static constexpr Index kNowhere = -1;
-  static constexpr Index kInBasis = -2;
-
-  /// The rows that share an unknown with one of `front`, and were not reached before.
-  [[nodiscard]] std::vector<Index> behind(const std::vector<Index>& front)
-  {
-    std::vector<Index> result;
-    for (const Index row : front)
-      for (const Term& term : rows_[row])
-        for (const Index other : rowsOf_[term.index])
-          if (std::exchange(seen_[other], search_) != search_) result.push_back(other);
-    return result;
-  }
-
-  [[nodiscard]] std::vector<Index> unknownsOf(const std::vector<Index>& basis, const std::vector<Index>& middle) const
-  {
-    std::vector<Index> result;
-    for (const auto* some : {&basis, &middle})
-      for (const Index row : *some)
-        for (const Term& term : rows_[row]) result.push_back(term.index);
-    return sortedOnce(std::move(result));
-  }
-
-  const std::vector<RowTerms>& rows_;
-  const std::vector<Index>& others_;
-  std::vector<Index> placeOf_;  // in `others_`
-  std::vector<int> rings_;      // of the largest patch that had each of `others_` near its middle
-  std::vector<Index> seen_;     // the last search that reached each row
-  Index search_ = 0;
-  IndexLists rowsOf_{0, [](const auto&) {}};  // of each unknown
-};
-
 }  // namespace
 
 Dependency dependencyOf(Index row, const std::vector<Index>& basis, const Eigen::VectorXd& coefficients,
@@ -282,21 +174,17 @@ Dependency dependencyOf(Index row, const std::vector<Index>& basis, const Eigen:
 std::vector<Dependency> circuitsOf(const std::vector<RowTerms>& rows, const std::vector<Index>& basis,
                                    const std::vector<Index>& others, const std::vector<Index>& unknowns)
 {
-  if (others.size() <= kFewOthers) return circuitsByOneQr(rows, basis, others, unknowns);
-  std::vector<std::optional<Dependency>> found(others.size());
-  CircuitPatches patches(rows, basis, others);
-  for (const int rings : kRingsOfPatches)
-    for (std::size_t k = 0; k < others.size(); ++k)
-      if (!found[k] && patches.isOpen(k, rings)) patches.findAround(k, rings, found);
-  std::vector<Index> left;
-  for (std::size_t k = 0; k < others.size(); ++k)
-    if (!found[k]) left.push_back(others[k]);
-  const std::vector<Dependency> ofAll =
-      left.empty() ? std::vector<Dependency>() : circuitsByOneQr(rows, basis, left, unknowns);
-  std::vector<Dependency> result;
-  std::size_t next = 0;
-  for (std::optional<Dependency>& dependency : found)
-    result.push_back(dependency ? *std::move(dependency) : ofAll[next++]);
+  std::vector<Index> order = inFillReducingOrder(rows, basis, unknowns);
+  order.insert(order.end(), others.begin(), others.end());
+  const BasisQr qr(rows, std::move(order), static_cast<Index>(basis.size()), unknowns);
+  std::vector<Dependency> result(others.size());
+  const auto count = static_cast<Index>(others.size());
+  parallelFor((count + kRowsAtATime - 1) / kRowsAtATime, [&](Index part) {
+    SparseBackSolve solve(qr.R11());
+    Eigen::VectorXd residual = Eigen::VectorXd::Zero(static_cast<Index>(unknowns.size()));
+    for (Index k = part * kRowsAtATime; k < std::min(count, (part + 1) * kRowsAtATime); ++k)
+      result[k] = qr.of(qr.basisSize() + k, solve, residual);
+  });
   return result;
 }
 

@@ -130,7 +130,7 @@ double gapPerChange(const EliminatedConstraints& eliminated, const Dependency& d
 /// moves vertices as far as rows ask for meets it with them.
 double undecidedGap(const Dependency& dependency, const ConstraintSystem& system)
 {
-  if (dependency.distance <= kRoundingDistance) return 0;
+  if (!dependency.isUndecided()) return 0;
   double asked = system.rows[dependency.row].shift.stableNorm();
   for (const Term& term : dependency.terms) asked = std::max(asked, system.rows[term.index].shift.stableNorm());
   return dependency.distance * asked;

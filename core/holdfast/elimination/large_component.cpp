@@ -6,11 +6,10 @@
 #include <numeric>
 #include <utility>
 
-#include <holdfast/elimination/basis_circuits.h>
+#include <holdfast/elimination/circuit_patches.h>
 #include <holdfast/elimination/near_rows.h>
 #include <holdfast/elimination/row_matching.h>
 #include <holdfast/elimination/sequential_qr.h>
-#include <holdfast/mesh/index_lists.h>
 
 namespace holdfast {
 namespace {
@@ -62,10 +61,7 @@ class BasisSearch {
         tolerance_(tolerance),
         isLarge_(std::max(rows_.size(), unknownCount) > kMostSequentialRows),
         role_(rows_.size(), Role::Open),
-        rowsOf_(static_cast<Index>(unknownCount), [&](const auto& add) {
-          for (std::size_t r = 0; r < rows_.size(); ++r)
-            for (const Term& term : rows_[r]) add(term.index, static_cast<Index>(r));
-        })
+        rowsOf_(rowsOfUnknowns(rows_, static_cast<Index>(unknownCount)))
   {
     leaveOutRepeats();
   }
@@ -127,7 +123,7 @@ class BasisSearch {
     std::vector<Index> looked = basis;
     const std::size_t mostRounds = std::clamp(kRowsOfAllRounds / rows_.size(), kFewRounds, kManyRounds);
     for (std::size_t round = 0; round < mostRounds;) {
-      NearRows near = nearlyDependentRows(rows_, looked, unknownsOf(looked), distance);
+      NearRows near = nearlyDependentRows(rows_, looked, unknownsOf(rows_, looked), distance);
       isDecided = isDecided && !near.isBeyondOrder;
       if (!isDecided && !isLastResort) return Settled::Not;
       const bool isAnyNear = !near.last.empty();
@@ -175,15 +171,6 @@ class BasisSearch {
     std::vector<Index> result;
     std::ranges::copy_if(basis, std::back_inserter(result), [&](Index row) { return isReached[row]; });
     return result;
-  }
-
-  [[nodiscard]] std::vector<Index> unknownsOf(const std::vector<Index>& some) const
-  {
-    if (some.size() * 2 > rows_.size()) return unknowns_;
-    std::vector<Index> result;
-    for (const Index row : some)
-      for (const Term& term : rows_[row]) result.push_back(term.index);
-    return sortedOnce(std::move(result));
   }
 
   /// Takes rows of a basis out until none is closer to the others than the tolerance. False where that has no end.
@@ -244,7 +231,7 @@ std::vector<Dependency> sparseDependencies(const std::vector<RowTerms>& rows, co
   std::ranges::sort(basis.rows);
   std::vector<Index> others;
   std::ranges::set_difference(upTo(count), basis.rows, std::back_inserter(others));
-  std::vector<Dependency> result = circuitsOf(search.rows(), basis.rows, others, search.unknowns());
+  std::vector<Dependency> result = circuitsByPatches(search.rows(), basis.rows, others, search.unknowns());
   for (Dependency& dependency : result)
     dependency.distance = std::max(dependency.distance, basis.closeness[dependency.row]);
   renumber(result, component.rows);

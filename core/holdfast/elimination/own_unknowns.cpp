@@ -5,7 +5,6 @@
 #include <ranges>
 
 #include <holdfast/base/sparse_products.h>
-#include <holdfast/mesh/index_lists.h>
 
 namespace holdfast {
 namespace {
@@ -15,11 +14,7 @@ class OwnUnknownSearch {
  public:
   OwnUnknownSearch(const std::vector<RowTerms>& rows, Index unknownCount)
       : rows_(rows),
-        rowsOf_(unknownCount,
-                [&](const auto& add) {
-                  for (std::size_t r = 0; r < rows.size(); ++r)
-                    for (const Term& term : rows[r]) add(term.index, static_cast<Index>(r));
-                }),
+        rowsOf_(rowsOfUnknowns(rows, unknownCount)),
         left_(static_cast<std::size_t>(unknownCount)),
         pulled_(static_cast<std::size_t>(unknownCount), 1),
         isFound_(rows.size(), false)

@@ -4,7 +4,6 @@
 
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/base/sparse_products.h>
-#include <holdfast/mesh/index_lists.h>
 
 namespace holdfast {
 namespace {
@@ -12,6 +11,8 @@ namespace {
 // Beyond this a sparse factorisation is faster than a dense one of the same block.
 constexpr std::size_t kDenseRows = 64;
 constexpr std::size_t kDenseUnknowns = 256;
+
+}  // namespace
 
 std::vector<Index> unknownsOf(const std::vector<RowTerms>& rows, const std::vector<Index>& some)
 {
@@ -21,7 +22,13 @@ std::vector<Index> unknownsOf(const std::vector<RowTerms>& rows, const std::vect
   return sortedOnce(std::move(unknowns));
 }
 
-}  // namespace
+IndexLists rowsOfUnknowns(const std::vector<RowTerms>& rows, Index unknownCount)
+{
+  return IndexLists(unknownCount, [&](const auto& add) {
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (const Term& term : rows[r]) add(term.index, static_cast<Index>(r));
+  });
+}
 
 std::vector<RowComponent> connectedRows(const std::vector<RowTerms>& rows, Index unknownCount)
 {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include <holdfast/mesh/index_lists.h>
 #include <holdfast/surface/surface_point.h>
 
 namespace holdfast {
@@ -19,6 +20,12 @@ struct RowComponent {
 
 /// The components of all rows that are not empty, in the order of their first rows. O(terms log terms).
 [[nodiscard]] std::vector<RowComponent> connectedRows(const std::vector<RowTerms>& rows, Index unknownCount);
+
+/// The unknowns that some of `rows` name, ascending, each once.
+[[nodiscard]] std::vector<Index> unknownsOf(const std::vector<RowTerms>& rows, const std::vector<Index>& some);
+
+/// For each unknown the rows that name it, ascending. O(terms).
+[[nodiscard]] IndexLists rowsOfUnknowns(const std::vector<RowTerms>& rows, Index unknownCount);
 
 /// Its rows, by places in `component.rows`, over places in `component.unknowns`.
 [[nodiscard]] std::vector<RowTerms> localRows(const std::vector<RowTerms>& rows, const RowComponent& component);

@@ -1,7 +1,5 @@
 #include "holdfast/elimination/row_matching.h"
 
-#include <holdfast/mesh/index_lists.h>
-
 namespace holdfast {
 namespace {
 
@@ -82,10 +80,7 @@ std::vector<bool> freeUnknowns(const std::vector<RowTerms>& rows, Index unknownC
   RowMatching matching(rows, unknownCount);
   std::vector<Index> takes(rows.size(), 0);  // of each row, the unknown that it has
   for (std::size_t r = 0; r < rows.size(); ++r) matching.add(static_cast<Index>(r));
-  const IndexLists rowsOf(unknownCount, [&](const auto& add) {
-    for (std::size_t r = 0; r < rows.size(); ++r)
-      for (const Term& term : rows[r]) add(term.index, static_cast<Index>(r));
-  });
+  const IndexLists rowsOf = rowsOfUnknowns(rows, unknownCount);
   std::vector<bool> isFree(static_cast<std::size_t>(unknownCount), false);
   std::vector<Index> found;
   const auto find = [&](Index unknown) {

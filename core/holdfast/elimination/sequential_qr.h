@@ -17,10 +17,6 @@ namespace holdfast {
 /// of constraints that engineers can tell apart (1e-9 of an edge).
 inline constexpr double kRankTolerance = 7e-13;
 
-/// Distances up to this are the rounding of numbers and of their elimination. The largest that was seen in 7,000
-/// dependent columns of 162 entries was 5e-17. Between this and `kRankTolerance` doubles do not tell which it is.
-inline constexpr double kRoundingDistance = 1e-15;
-
 /// The columns accepted so far as Q R. O(v r) per column, v rows and r accepted columns.
 class SequentialQr {
  public:

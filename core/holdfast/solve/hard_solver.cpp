@@ -23,7 +23,7 @@ constexpr double kSufficientAccuracy = 1e-12;
 constexpr double kMostNumbersOfQ2 = 2e7;
 // One with so many takes gigabytes and minutes: only where rows are missed otherwise.
 constexpr double kMostNumbersOfNeededQ2 = 2e8;
-// Rows that are missed by more than this share of what is still sufficient are met once more.
+// The solver meets its rows once more where a solution misses one by more than this share of what it may miss.
 constexpr double kWellMet = 0.01;
 
 /// For each of `columns` sets of columns: in how many rows one of a set is the first.

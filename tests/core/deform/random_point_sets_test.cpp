@@ -128,7 +128,7 @@ void expectAnAnswer(const RandomPointSet& set, const Model& model)
   EXPECT_NE(result.report.solve.status, SolveStatus::Failed) << result.report.solve.message;
   bool isUndecided = false;
   for (const DependentRow& row : result.details->diagnosis.dependent)
-    isUndecided = isUndecided || row.dependency.distance > kRoundingDistance;
+    isUndecided = isUndecided || row.dependency.isUndecided();
   EXPECT_EQ(test::findingOf(result.report, "undecided_constraints") != nullptr, isUndecided);
 }
 

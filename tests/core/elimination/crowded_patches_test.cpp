@@ -67,8 +67,8 @@ void expectCircuits(const std::vector<Dependency>& found, const std::vector<RowT
 void expectRankBut(const std::vector<Dependency>& found, std::size_t rowCount, std::size_t byCounting)
 {
   const std::size_t standing = rowCount - found.size();
-  const auto undecided = static_cast<std::size_t>(
-      std::ranges::count_if(found, [](const Dependency& d) { return d.distance > kRoundingDistance; }));
+  const auto undecided =
+      static_cast<std::size_t>(std::ranges::count_if(found, [](const Dependency& d) { return d.isUndecided(); }));
   EXPECT_LE(standing, byCounting);
   EXPECT_GE(standing + undecided, byCounting);
   EXPECT_LE(undecided, rowCount / 100);
@@ -108,6 +108,16 @@ TEST(CrowdedPatches, KeepTheRankOfRowsThatAreListedFaceByFace)
     EXPECT_EQ(rows.size() - found.size(), byCounting.size());
     expectCircuits(found, rows, n);
   }
+}
+
+TEST(CrowdedPatches, OfThousandsOfDependentRowsHaveTheirCircuits)
+{
+  const Mesh plate = test::plate(50, 50);
+  const std::vector<RowTerms> rows = pointsOnPlate(plate, 3, FaceOrder::Random, 4);
+  const std::vector<Dependency> found = findDependencies(rows, plate.vertexCount());
+  ASSERT_GT(found.size(), 4000U) << "fewer are found by one decomposition";
+  expectRankBut(found, rows.size(), matchedRows(rows, everyRow(rows), plate.vertexCount()).size());
+  expectCircuits(found, rows, plate.vertexCount());
 }
 
 TEST(CrowdedPatches, HaveSmallCircuitsWhereRowsAreListedAtRandom)

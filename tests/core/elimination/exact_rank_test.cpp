@@ -102,7 +102,7 @@ TEST_P(CrowdedFaces, AreJudgedAsByExactElimination)
     std::set<Index> exact = exactlyDependent(rows, mesh.vertexCount());
     std::set<Index> found;
     for (const Dependency& dependency : findDependencies(rows, mesh.vertexCount()))
-      if (dependency.distance <= kRoundingDistance)
+      if (!dependency.isUndecided())
         found.insert(dependency.row);
       else
         undecided += exact.erase(dependency.row) == 0 ? 1 : 0;  // said to be neither, and left out

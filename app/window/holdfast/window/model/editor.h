@@ -190,7 +190,7 @@ class Editor : public QObject {
 
  Q_SIGNALS:
   void opened();  ///< another document, or none
-  /// By the user, or a state that was undone: whoever has files prepares one, and calls `remodel`.
+  /// The user or an undone state asks for a mesh that is welded so; `DocumentFiles` prepares it and calls `remodel`.
   void meshWanted(double weldTolerance);
   void stateChanged();       ///< the list or the options; the history with them
   void deformed();           ///< another deformation

@@ -31,7 +31,7 @@ class PanelDocks : public QObject {
 
   /// Brings the panel of colours to the front, with the keys.
   void showColors();
-  /// That of the solution, with the keys in the line of the tolerance of welding.
+  /// Brings the panel of the solution to the front; the line of the tolerance of welding has the keys.
   void showWelding();
 
  protected:
