@@ -87,7 +87,7 @@ TEST(CrowdedPatches, KeepTheRankOfRowsAtRandomInTheirOrder)
       const std::vector<Dependency> found = findDependencies(rows, n);
       const std::vector<Index> byCounting = matchedRows(rows, everyRow(rows), n);
       const std::vector<Index> independent = independentRows(found, rows.size());
-      expectRankBut(found, rows.size(), byCounting.size());
+      ASSERT_EQ(independent.size(), byCounting.size());
       std::vector<Index> moved;
       std::ranges::set_difference(independent, byCounting, std::back_inserter(moved));
       EXPECT_LE(moved.size(), 2U) << "rows that nearly depend on others wait";

@@ -10,6 +10,7 @@
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"
+#include "support/random.h"
 
 namespace holdfast {
 namespace {
@@ -30,9 +31,13 @@ class RestingMesh {
   {
     return facesOf(solverMesh_, invertedTriangles(rest_, changeAt(now).foldedHinges));
   }
+  [[nodiscard]] CrossingTriangles crossingTrianglesAt(const Positions& now) const
+  {
+    return CrossingSearch(rest_, mesh_.positions).find(now);
+  }
   [[nodiscard]] std::vector<Index> crossingAt(const Positions& now) const
   {
-    return facesOf(solverMesh_, CrossingSearch(rest_, mesh_.positions).find(now).triangles);
+    return facesOf(solverMesh_, crossingTrianglesAt(now).triangles);
   }
   [[nodiscard]] Positions movedBy(const std::function<Vector3(const Vector3&)>& motion) const
   {
@@ -80,6 +85,18 @@ RestingMesh bar()
 {
   return RestingMesh(
       test::transformed(test::box(Vector3(1, 1, 1), 20), Eigen::Affine3d(Eigen::Scaling(1.0, 1.0, 8.0))));
+}
+
+TEST(ShapeChange, OfASurfaceThatIsCrumpledAllOverAPartIsSearched)
+{
+  const RestingMesh plate(test::plate(60, 60));
+  const auto asItIs = [](const Vector3& place) { return place; };
+  EXPECT_TRUE(plate.crossingTrianglesAt(plate.movedBy(asItIs)).areAll);
+  test::Random random(1);
+  const auto anywhere = [&](const Vector3& /*place*/) { return test::randomVector(random, 30); };
+  const CrossingTriangles crossing = plate.crossingTrianglesAt(plate.movedBy(anywhere));
+  EXPECT_FALSE(crossing.areAll);
+  EXPECT_GT(crossing.triangles.size(), 100U);
 }
 
 TEST(ShapeChange, TwoWholeTurnsFoldNothing)
