@@ -77,8 +77,8 @@ class Editor : public QObject {
 
   void open(LoadedMesh mesh, DocumentState state);
   void close();
-  /// The same document on `mesh`, whose vertices are those of its file. Where that is welded within another length than
-  /// the state says, it is an edit.
+  /// Puts the document onto `mesh`, which has the vertices of the mesh before. Where `mesh` is welded within another
+  /// length than the state says, that is an edit of the state.
   void remodel(LoadedMesh mesh);
   [[nodiscard]] bool isOpen() const noexcept { return mesh_.model != nullptr; }
 
@@ -139,7 +139,7 @@ class Editor : public QObject {
   void updateGesture(ConstraintList after);
   void endGesture();
   void cancelGesture();
-  /// Whether the mesh is welded within the length that the state says: else nothing is solved.
+  /// Whether the mesh is welded within the length that the state says. Nothing is solved before it is.
   [[nodiscard]] bool hasItsMesh() const { return state().options.weldTolerance == mesh_.weldTolerance; }
   /// Asks for a mesh welded within this length, by `meshWanted`.
   void weldWithin(double tolerance) { Q_EMIT meshWanted(tolerance); }
