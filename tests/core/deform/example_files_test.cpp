@@ -47,7 +47,8 @@ Example example(const std::string& mesh, const std::string& constraints)
 void expectMet(const Example& solved)
 {
   EXPECT_EQ(solved.result.report.solve.status, SolveStatus::Ok) << solved.result.report.solve.message;
-  for (const Finding& finding : solved.result.report.findings) ADD_FAILURE() << "found doubtful: " << finding.message;
+  for (const Finding& finding : solved.result.report.mesh.findings)
+    ADD_FAILURE() << "found doubtful: " << finding.message;
   EXPECT_LE(solved.result.report.solve.maxResidualRelative, 1e-12);
 }
 
