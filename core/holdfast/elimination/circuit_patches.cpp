@@ -16,6 +16,9 @@ constexpr std::size_t kFewOthers = 4000;
 // Circuits have 25 to 50 rows where a patch is crowded. Few lead farther.
 constexpr std::array kRingsOfPatches{10, 20, 40};
 
+// A circuit whose rows are no longer all in the basis closes nowhere. What is nearest lies as near.
+constexpr int kRingsOfOpenCircuits = 20;
+
 /// Finds circuits in patches: what is reached in so many steps from row to row by shared unknowns. A circuit that
 /// closes within a patch is the one of the whole basis, which is independent.
 class CircuitPatches {
@@ -36,8 +39,8 @@ class CircuitPatches {
   /// Whether no patch of so many rings had the row near its middle.
   [[nodiscard]] bool isOpen(std::size_t place, int rings) const { return rings_[place] < rings; }
 
-  /// Looks for the circuits of the rows near one of `others`.
-  void findAround(std::size_t place, int rings, std::vector<std::optional<Dependency>>& found)
+  /// Looks for the circuits of the rows near one of `others`; those that do not close as well where they `mayBeOpen`.
+  void findAround(std::size_t place, int rings, bool mayBeOpen, std::vector<std::optional<Dependency>>& found)
   {
     ++search_;
     std::vector<Index> basis;
@@ -60,7 +63,7 @@ class CircuitPatches {
     for (std::size_t k = 0; k < middle.size(); ++k) {
       const Index own = placeOf_[middle[k]];
       rings_[own] = rings;
-      if (!circuits[k].isUndecided()) found[own] = circuits[k];
+      if (mayBeOpen || !circuits[k].isUndecided()) found[own] = circuits[k];
     }
   }
 
@@ -91,14 +94,16 @@ class CircuitPatches {
 }  // namespace
 
 std::vector<Dependency> circuitsByPatches(const std::vector<RowTerms>& rows, const std::vector<Index>& basis,
-                                          const std::vector<Index>& others, const std::vector<Index>& unknowns)
+                                          const std::vector<Index>& others, const std::vector<Index>& unknowns,
+                                          BasisKind kind)
 {
   if (others.size() <= kFewOthers) return circuitsOf(rows, basis, others, unknowns);
   std::vector<std::optional<Dependency>> found(others.size());
   CircuitPatches patches(rows, basis, others, unknowns);
   for (const int rings : kRingsOfPatches)
     for (std::size_t k = 0; k < others.size(); ++k)
-      if (!found[k] && patches.isOpen(k, rings)) patches.findAround(k, rings, found);
+      if (!found[k] && patches.isOpen(k, rings))
+        patches.findAround(k, rings, kind == BasisKind::Thinned && rings >= kRingsOfOpenCircuits, found);
   std::vector<Index> left;
   for (std::size_t k = 0; k < others.size(); ++k)
     if (!found[k]) left.push_back(others[k]);

@@ -72,6 +72,7 @@ class BasisSearch {
     std::vector<Index> rows;
     bool isDecided = true;
     std::vector<double> closeness;  ///< of each row of all: the distance for which it was taken away, or 0
+    BasisKind kind = BasisKind::Whole;
   };
   [[nodiscard]] Basis basisBy(const std::vector<Index>& order, bool isLastResort) const
   {
@@ -87,8 +88,10 @@ class BasisSearch {
       isDecided =
           settledAs(Role::Out, isLarge_ && isDecided ? kCrowdedDistance : tolerance_) != Settled::Not && isDecided;
     std::vector<Index> rows = matched(order, roles);
+    const std::size_t whole = rows.size();
     if (isLarge_ && tolerance_ > kCrowdedDistance) isDecided = thinOut(rows, roles) && isDecided;
-    return {std::move(rows), isDecided, closeness(roles)};
+    const BasisKind kind = rows.size() < whole ? BasisKind::Thinned : BasisKind::Whole;
+    return {std::move(rows), isDecided, closeness(roles), kind};
   }
 
   [[nodiscard]] const std::vector<RowTerms>& rows() const { return rows_; }
@@ -231,7 +234,7 @@ std::vector<Dependency> sparseDependencies(const std::vector<RowTerms>& rows, co
   std::ranges::sort(basis.rows);
   std::vector<Index> others;
   std::ranges::set_difference(upTo(count), basis.rows, std::back_inserter(others));
-  std::vector<Dependency> result = circuitsByPatches(search.rows(), basis.rows, others, search.unknowns());
+  std::vector<Dependency> result = circuitsByPatches(search.rows(), basis.rows, others, search.unknowns(), basis.kind);
   for (Dependency& dependency : result)
     dependency.distance = std::max(dependency.distance, basis.closeness[dependency.row]);
   renumber(result, component.rows);

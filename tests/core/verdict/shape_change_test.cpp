@@ -10,6 +10,7 @@
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"
+#include "support/point_constraints.h"
 #include "support/random.h"
 
 namespace holdfast {
