@@ -5,6 +5,7 @@
 
 #include <holdfast/check/finding.h>
 #include <holdfast/rotation/rotation_options.h>
+#include <holdfast/verdict/crossing_faces.h>
 #include <holdfast/verdict/overshoot.h>
 #include <holdfast/verdict/shape_change.h>
 #include <holdfast/verdict/stated_motion.h>
