@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <holdfast/base/term.h>
+#include <holdfast/elimination/row_components.h>
 #include <holdfast/operators/energy_matrix.h>
 
 namespace holdfast {
