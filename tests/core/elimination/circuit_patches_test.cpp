@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -18,8 +19,7 @@ class ThinnedPlate : public testing::Test {
   void SetUp() override
   {
     const Mesh mesh = test::plate(50, 50);
-    vertices_ = mesh.vertexCount();
-    for (Index v = 0; v < vertices_; ++v) {
+    for (Index v = 0; v < mesh.vertexCount(); ++v) {
       rows_.push_back({{v, 1}});
       if (!isOut(v)) basis_.push_back(v);
     }
@@ -34,13 +34,12 @@ class ThinnedPlate : public testing::Test {
         std::ranges::sort(row, {}, &Term::index);
         rows_.push_back(std::move(row));
       }
-    unknowns_.resize(static_cast<std::size_t>(vertices_));
+    unknowns_.resize(static_cast<std::size_t>(mesh.vertexCount()));
     std::iota(unknowns_.begin(), unknowns_.end(), Index{0});
   }
 
   static bool isOut(Index vertex) { return vertex % 97 == 0; }
 
-  Index vertices_ = 0;
   std::vector<RowTerms> rows_;
   std::vector<Index> basis_;
   std::vector<Index> others_;
