@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Builds Holdfast and runs its whole test suite, installing what is missing first (apt).
-#   scripts/test.sh [CTEST-OPTION...]      for example: scripts/test.sh -R layering, scripts/test.sh -LE slow
+# Builds Holdfast and runs its test suite, installing what is missing first (apt). What takes too long for every change,
+# label `nightly`, is left out where nothing is asked for.
+#   scripts/test.sh [CTEST-OPTION...]      for example: scripts/test.sh -R layering, scripts/test.sh -LE 'nightly|slow'
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . scripts/lib/packages.sh
@@ -12,4 +13,5 @@ build_preset release
 # Public headers without a source of their own compile alone; all others are the first include of theirs.
 build_preset release all_verify_interface_header_sets
 echo "== Testing"
+[ $# -gt 0 ] || set -- --label-exclude nightly
 exec ctest --preset release "$@"

@@ -230,12 +230,12 @@ What readRelative(const JsonReader& json)
   return relative;
 }
 
-constexpr std::array<Type, 5> kTypes{
-    {{"fixed", kRegionKeys, readRegion<FixedConstraint>},
-     {"handle", kHandleKeys, [](const JsonReader& json) { return What(readHandle(json)); }},
-     {"point", kPointKeys, readPoint},
-     {"rigid", kRegionKeys, readRegion<RigidConstraint>},
-     {"relative", kRelativeKeys, readRelative}}};
+constexpr std::array<Type, std::variant_size_v<What>> kTypes{
+    {{FixedConstraint::kType, kRegionKeys, readRegion<FixedConstraint>},
+     {HandleConstraint::kType, kHandleKeys, [](const JsonReader& json) { return What(readHandle(json)); }},
+     {PointConstraint::kType, kPointKeys, readPoint},
+     {RigidConstraint::kType, kRegionKeys, readRegion<RigidConstraint>},
+     {RelativeConstraint::kType, kRelativeKeys, readRelative}}};
 
 Type readType(const JsonReader& json)
 {

@@ -1,7 +1,6 @@
 #pragma once
 /// Constraints as a user states them: one entry of a constraint file each, in the file's own terms.
 
-#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -14,6 +13,7 @@ namespace holdfast {
 
 /// Every selected vertex stays where it is: p at rest, q = 0.
 struct FixedConstraint {
+  static constexpr const char* kType = "fixed";
   Selection select;
 };
 
@@ -62,6 +62,7 @@ struct VertexTargets {
 /// Every selected vertex goes where `motion` takes it, or stays where there is none, and then by `translate`. The
 /// rotation of the motion, none where there is none, is handed on to the surface.
 struct HandleConstraint {
+  static constexpr const char* kType = "handle";
   Selection select;
   std::variant<std::monostate, AxisRotation, RotationAboutFixed, FrameMotion, VertexTargets> motion;
   Vector3 translate = Vector3::Zero();
@@ -69,27 +70,50 @@ struct HandleConstraint {
   std::vector<AxisAngle> rotations;
 };
 
-/// Where a point goes: to a place, or by a shift from where it is at rest; model units.
+/// A point goes to a place; model units.
 struct Target {
   Vector3 place = Vector3::Zero();
+
+  [[nodiscard]] Vector3 placeFrom(const Vector3& /*rest*/) const { return place; }
+  [[nodiscard]] Vector3 shiftFrom(const Vector3& rest) const { return place - rest; }
 };
+
+/// A point goes by a shift from where it is at rest; model units.
 struct Move {
   Vector3 shift = Vector3::Zero();
+
+  [[nodiscard]] Vector3 placeFrom(const Vector3& rest) const { return rest + shift; }
+  [[nodiscard]] Vector3 shiftFrom(const Vector3& /*rest*/) const { return shift; }
 };
 
 /// One point of the surface goes to one place.
 struct PointConstraint {
+  static constexpr const char* kType = "point";
   SurfaceLocation at;
   std::variant<Target, Move> to;
 };
 
+/// Where a point goes that is at `rest`, bit for bit as the solver takes it.
+[[nodiscard]] inline Vector3 placeOf(const PointConstraint& point, const Vector3& rest)
+{
+  return std::visit([&](const auto& to) { return to.placeFrom(rest); }, point.to);
+}
+
+/// By how much a point moves that is at `rest`, bit for bit as the solver takes it.
+[[nodiscard]] inline Vector3 shiftOf(const PointConstraint& point, const Vector3& rest)
+{
+  return std::visit([&](const auto& to) { return to.shiftFrom(rest); }, point.to);
+}
+
 /// The vectors between the selected vertices are kept and their rotations are equal, equations (28) and (29).
 struct RigidConstraint {
+  static constexpr const char* kType = "rigid";
   Selection select;
 };
 
 /// p_from - p_to keeps its rest vector, or takes `offset`, Fig. 8.
 struct RelativeConstraint {
+  static constexpr const char* kType = "relative";
   SurfaceLocation from;
   SurfaceLocation to;
   std::optional<Vector3> offset;
@@ -111,11 +135,23 @@ struct Constraint {
   std::vector<ExtraText> extra = {};  ///< kept for the files that are written from it; titles differ
 };
 
-/// The name of the constraint's type in files and reports: "fixed", "handle", "point", "rigid", "relative".
+/// The name of the constraint's type in files and reports.
 [[nodiscard]] inline const char* typeName(const Constraint& constraint)
 {
-  constexpr std::array kNames{"fixed", "handle", "point", "rigid", "relative"};
-  return kNames[constraint.what.index()];
+  return std::visit([](const auto& what) { return what.kType; }, constraint.what);
+}
+
+/// The selection of a constraint that has one; null for others.
+[[nodiscard]] inline const Selection* selectionOf(const Constraint& constraint)
+{
+  return std::visit(
+      [](const auto& what) -> const Selection* {
+        if constexpr (requires { what.select; })
+          return &what.select;
+        else
+          return nullptr;
+      },
+      constraint.what);
 }
 
 /// A whole constraint file. The order is that of precedence: where not all can hold, earlier ones do.

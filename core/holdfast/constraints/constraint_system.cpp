@@ -142,9 +142,7 @@ class SystemBuilder {
     });
     if (!isEnabled()) return;
     addNearPlace(point.at, known.nearness);
-    const auto* const target = std::get_if<Target>(&point.to);
-    const Vector3 shift = target == nullptr ? std::get<Move>(point.to).shift : target->place - known.rest;
-    system_.rows.push_back({known.terms, target == nullptr ? known.rest + shift : target->place, shift, current_,
+    system_.rows.push_back({known.terms, placeOf(point, known.rest), shiftOf(point, known.rest), current_,
                             RowKind::Position, known.corners});
   }
 

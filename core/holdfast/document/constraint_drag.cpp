@@ -16,6 +16,17 @@ Vector3 movedPlace(const Vector3& place, const RigidIncrement& increment)
   return turn * (place - increment.pivot) + increment.pivot + increment.translation;
 }
 
+void drag(Target& target, const Vector3& place, const Vector3& /*rest*/, const RigidIncrement& increment)
+{
+  target.place = movedPlace(place, increment);
+}
+
+void drag(Move& move, const Vector3& place, const Vector3& rest, const RigidIncrement& increment)
+{
+  const bool isShift = increment.degrees == 0;
+  move.shift = isShift ? Vector3(move.shift + increment.translation) : Vector3(movedPlace(place, increment) - rest);
+}
+
 /// The rows of a region have no corners.
 bool isRowOfPoint(const ConstraintRow& row)
 {
@@ -37,8 +48,7 @@ ConstraintDrag::ConstraintDrag(const Model& model, const ConstraintList& list, s
     if (point == nullptr) continue;
     const SurfacePoint at = model.locator().locate(point->at, below(placeInList(source, c), ".at"));
     const Vector3 rest = positionOf(at, model.mesh.positions);
-    const auto* target = std::get_if<Target>(&point->to);
-    points_.push_back({c, at, rest, target ? target->place : Vector3(rest + std::get<Move>(point->to).shift)});
+    points_.push_back({c, at, rest, placeOf(*point, rest)});
   }
   if (handles.empty()) return;
   std::vector<HandleSetting> settings = settingsOf(model, list, handles, source);
@@ -114,12 +124,7 @@ ConstraintList ConstraintDrag::movedBy(const RigidIncrement& increment)
   ConstraintList moved = list_;
   for (const DraggedPoint& dragged : points_) {
     auto& point = std::get<PointConstraint>(moved.constraints[dragged.constraint].what);
-    const bool isShift = increment.degrees == 0;
-    if (auto* move = std::get_if<Move>(&point.to))
-      move->shift = isShift ? Vector3(move->shift + increment.translation)
-                            : Vector3(movedPlace(dragged.place, increment) - dragged.rest);
-    else
-      std::get<Target>(point.to).place = movedPlace(dragged.place, increment);
+    std::visit([&](auto& to) { drag(to, dragged.place, dragged.rest, increment); }, point.to);
   }
   for (DraggedHandle& dragged : handles_) moved.constraints[dragged.constraint].what = nextFrame(dragged, increment);
   return moved;

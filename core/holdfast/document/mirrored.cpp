@@ -30,8 +30,7 @@ class Mirror {
   {
     const Vector3 rest = restOf(point.at);
     point.at = AtNear{reflected(rest)};
-    if (auto* move = std::get_if<Move>(&point.to)) return reflectVector(move->shift);
-    reflectPlace(std::get<Target>(point.to).place);
+    std::visit([&](auto& to) { reflect(to); }, point.to);
   }
 
   void mirror(RelativeConstraint& relative)
@@ -42,27 +41,13 @@ class Mirror {
 
   void mirror(HandleConstraint& handle)
   {
-    auto* targets = std::get_if<VertexTargets>(&handle.motion);
-    if (targets != nullptr || !handle.rotations.empty())
+    if (std::holds_alternative<VertexTargets>(handle.motion) || !handle.rotations.empty())
       mirrorEach(std::get<VertexIds>(handle.select.what));
     else
       mirror(handle.select);
     reflectVector(handle.translate);
     for (AxisAngle& turn : handle.rotations) reflectTurn(turn);
-    if (targets != nullptr)
-      for (Vector3& place : targets->places) reflectPlace(place);
-    if (auto* turn = std::get_if<AxisRotation>(&handle.motion)) {
-      reflectTurn(*turn);
-      if (turn->center) reflectPlace(*turn->center);
-    }
-    if (auto* turn = std::get_if<RotationAboutFixed>(&handle.motion); turn != nullptr && turn->near)
-      reflectTurn(*turn->near);
-    if (auto* motion = std::get_if<FrameMotion>(&handle.motion))
-      for (Frame* frame : {&motion->from, &motion->to}) {
-        if (frame->origin) reflectPlace(*frame->origin);
-        reflectVector(frame->x);
-        reflectVector(frame->y);
-      }
+    std::visit([&](auto& motion) { reflect(motion); }, handle.motion);
   }
 
  private:
@@ -71,6 +56,32 @@ class Mirror {
     return place - 2 * plane_.normal.dot(place - plane_.point) * plane_.normal;
   }
   void reflectPlace(Vector3& place) const { place = reflected(place); }
+  void reflect(Target& target) const { reflectPlace(target.place); }
+  void reflect(Move& move) const { reflectVector(move.shift); }
+
+  void reflect(std::monostate& /*none*/) const {}
+  void reflect(AxisRotation& turn) const
+  {
+    reflectTurn(turn);
+    if (turn.center) reflectPlace(*turn.center);
+  }
+  void reflect(RotationAboutFixed& turn) const
+  {
+    if (turn.near) reflectTurn(*turn.near);
+  }
+  void reflect(FrameMotion& motion) const
+  {
+    for (Frame* frame : {&motion.from, &motion.to}) {
+      if (frame->origin) reflectPlace(*frame->origin);
+      reflectVector(frame->x);
+      reflectVector(frame->y);
+    }
+  }
+  void reflect(VertexTargets& targets) const
+  {
+    for (Vector3& place : targets.places) reflectPlace(place);
+  }
+
   void reflectVector(Vector3& vector) const { vector -= 2 * plane_.normal.dot(vector) * plane_.normal; }
   /// What turns one way turns the other way in a mirror.
   void reflectTurn(auto& turn) const

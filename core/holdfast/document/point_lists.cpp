@@ -27,9 +27,8 @@ std::string row(const std::string& name, const PointConstraint& point, const Sur
 {
   const Vector3 rest = positionOf(locator.locate(point.at, {name, 0, "at"}), model.mesh.positions);
   const AtNear* near = std::get_if<AtNear>(&point.at);
-  const Target* target = std::get_if<Target>(&point.to);
   return fmt::format("{},{},{}", csvField(name), coordinates(near == nullptr ? rest : near->place),
-                     coordinates(target == nullptr ? rest + std::get<Move>(point.to).shift : target->place));
+                     coordinates(placeOf(point, rest)));
 }
 
 /// The titles of all that the constraints say besides, in the order in which they come.

@@ -100,6 +100,7 @@ enum class LocationKind { Vertex, Edge, Face, Near };
 
 [[nodiscard]] inline LocationKind kindOf(const SurfaceLocation& location)
 {
+  static_assert(std::variant_size_v<SurfaceLocation> == static_cast<std::size_t>(LocationKind::Near) + 1);
   return static_cast<LocationKind>(location.index());
 }
 

@@ -80,6 +80,7 @@ void SurfacePointRepresentation::BuildRepresentation()
   std::optional<PreviewedPoint> point;
   // In the order of `SurfaceLocation`; no pick is near a place.
   constexpr std::array kKinds{MarkKind::Vertex, MarkKind::Edge, MarkKind::Face};
+  static_assert(std::variant_size_v<SurfaceLocation> == kKinds.size() + 1);
   if (this->Preview) point.emplace(PreviewedPoint{this->Preview->place, kKinds.at(this->Preview->location.index())});
   this->Point.set(point);
   this->BuildTime.Modified();

@@ -89,28 +89,43 @@ class DisabledMarks {
   {
   }
 
+  /// `place` is that of the constraint in its list.
   std::vector<ConstraintMark> of(const Constraint& constraint, Index place)
   {
-    if (const auto* point = std::get_if<PointConstraint>(&constraint.what)) {
-      const SurfacePoint at = located(point->at);
-      ConstraintMark mark = markAt(at, kindOf(at.terms.size()), place);
-      const Target* const target = std::get_if<Target>(&point->to);
-      mark.target = target != nullptr ? target->place : mark.rest + std::get<Move>(point->to).shift;
-      return {mark};
-    }
-    if (const auto* relative = std::get_if<RelativeConstraint>(&constraint.what)) {
-      ConstraintMark mark = markAt(located(relative->from), MarkKind::Relative, place);
-      mark.other = positionOf(located(relative->to), positions_);
-      return {mark};
-    }
-    if (const auto* rigid = std::get_if<RigidConstraint>(&constraint.what))
-      return ofSelection(rigid->select, MarkKind::Rigid, place);
-    const auto* const handle = std::get_if<HandleConstraint>(&constraint.what);
-    return ofSelection(handle != nullptr ? handle->select : std::get<FixedConstraint>(constraint.what).select,
-                       MarkKind::Selection, place);
+    return std::visit([&](const auto& what) { return marksOf(what, place); }, constraint.what);
   }
 
  private:
+  std::vector<ConstraintMark> marksOf(const FixedConstraint& fixed, Index place)
+  {
+    return ofSelection(fixed.select, MarkKind::Selection, place);
+  }
+
+  std::vector<ConstraintMark> marksOf(const HandleConstraint& handle, Index place)
+  {
+    return ofSelection(handle.select, MarkKind::Selection, place);
+  }
+
+  std::vector<ConstraintMark> marksOf(const RigidConstraint& rigid, Index place)
+  {
+    return ofSelection(rigid.select, MarkKind::Rigid, place);
+  }
+
+  std::vector<ConstraintMark> marksOf(const PointConstraint& point, Index place)
+  {
+    const SurfacePoint at = located(point.at);
+    ConstraintMark mark = markAt(at, kindOf(at.terms.size()), place);
+    mark.target = placeOf(point, mark.rest);
+    return {mark};
+  }
+
+  std::vector<ConstraintMark> marksOf(const RelativeConstraint& relative, Index place)
+  {
+    ConstraintMark mark = markAt(located(relative.from), MarkKind::Relative, place);
+    mark.other = positionOf(located(relative.to), positions_);
+    return {mark};
+  }
+
   [[nodiscard]] SurfacePoint located(const SurfaceLocation& location) const { return locator_.locate(location, {}); }
 
   [[nodiscard]] ConstraintMark markAt(const SurfacePoint& at, MarkKind kind, Index constraint) const

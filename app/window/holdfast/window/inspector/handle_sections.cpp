@@ -47,6 +47,7 @@ void requireAxis(const Vector3& axis)
 
 /// In the order of `HandleConstraint::motion`.
 enum Method { NoTurn, AboutAxis, AboutFixed, FromFrameToFrame, VertexByVertex };
+static_assert(std::variant_size_v<decltype(HandleConstraint::motion)> == VertexByVertex + 1);
 
 AxisRotation& turnOf(HandleConstraint& handle)
 {

@@ -19,12 +19,6 @@ std::optional<Vector3> restPlace(const Editor& editor, const SurfaceLocation& lo
   }
 }
 
-Vector3 placeOf(const PointConstraint& point, const Vector3& rest)
-{
-  if (const Target* target = std::get_if<Target>(&point.to)) return target->place;
-  return rest + std::get<Move>(point.to).shift;
-}
-
 PointConstraint goingTo(PointConstraint point, const Vector3& rest, const Vector3& place)
 {
   const Move* move = std::get_if<Move>(&point.to);
@@ -48,18 +42,6 @@ FoundVertices findVertices(const Editor& editor, const Selection& selection)
   } catch (const InputError& error) {
     return {{}, error.reason()};
   }
-}
-
-const Selection* selectionOf(const Constraint& constraint)
-{
-  return std::visit(
-      [](const auto& what) -> const Selection* {
-        if constexpr (requires { what.select; })
-          return &what.select;
-        else
-          return nullptr;
-      },
-      constraint.what);
 }
 
 }  // namespace holdfast

@@ -16,9 +16,6 @@ namespace holdfast {
 /// The same; nothing if there is no such location or no mesh is open.
 [[nodiscard]] std::optional<Vector3> restPlace(const Editor& editor, const SurfaceLocation& location);
 
-/// Where the point goes, as the solver computes it from the place at rest.
-[[nodiscard]] Vector3 placeOf(const PointConstraint& point, const Vector3& rest);
-
 /// The point that goes to `place` to the last bit; a shift becomes a target only where no shift does so.
 [[nodiscard]] PointConstraint goingTo(PointConstraint point, const Vector3& rest, const Vector3& place);
 
@@ -29,8 +26,5 @@ struct FoundVertices {
 
 /// A mesh is open. O(N) per node of the expression.
 [[nodiscard]] FoundVertices findVertices(const Editor& editor, const Selection& selection);
-
-/// The selection of a fixed, rigid or handle constraint; null for others.
-[[nodiscard]] const Selection* selectionOf(const Constraint& constraint);
 
 }  // namespace holdfast

@@ -68,6 +68,7 @@ void ColorPanel::makeColorRows(QFormLayout& form)
   explanation_ = newText("colorExplanation");
   rangeKind_ = named(new QComboBox, "colorRangeKind");
   rangeKind_->addItems({tr("Automatic"), tr("Fixed"), tr("Logarithmic")});
+  static_assert(std::variant_size_v<decltype(ColorSettings::range)> == 3);
   automatic_ = newText("colorAutomaticRange");
   rangeRows_ = new QStackedWidget;
   rangeRows_->addWidget(automatic_);

@@ -30,13 +30,13 @@ QString conflictText(const ConstraintOutcome& outcome, const ConflictSet& confli
   if (conflictSet.with.empty())
     return QObject::tr("%1 contradicts itself by %2, or asks a part to move that nothing places.")
         .arg(quoted(outcome.name), length);
-  if (outcome.type == "relative")
+  if (outcome.type == RelativeConstraint::kType)
     return said(QObject::tr("%1 asks for an offset that differs by %2 from what %3 says."),
                 QObject::tr("%1 asks for an offset that differs by %2 from what %3 say."));
-  if (outcome.type == "rigid")
+  if (outcome.type == RigidConstraint::kType)
     return said(QObject::tr("%1 cannot stay rigid: %3 bends it by %2."),
                 QObject::tr("%1 cannot stay rigid: %3 bend it by %2."));
-  if (outcome.type == "point")
+  if (outcome.type == PointConstraint::kType)
     return said(QObject::tr("%1 asks for a place %2 away from where %3 puts it."),
                 QObject::tr("%1 asks for a place %2 away from where %3 put it."));
   return said(QObject::tr("%1 asks for places up to %2 away from where %3 puts them."),
