@@ -10,9 +10,9 @@
 namespace holdfast::bench {
 
 DraggedMesh::DraggedMesh(const std::shared_ptr<const Model>& model)
-    : deformer_(model), normals_(model->mesh.faces, model->mesh.faces.corners(), model->mesh.vertexCount())
+    : deformer_(model, {}, DeformerMode::Interactive),
+      normals_(model->mesh.faces, model->mesh.faces.corners(), model->mesh.vertexCount())
 {
-  deformer_.answerEditsAtOnce(true);
 }
 
 double DraggedMesh::deform(const ConstraintList& list)

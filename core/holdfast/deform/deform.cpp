@@ -31,8 +31,8 @@ DeformResult deform(const Model& model, const ConstraintList& constraints, const
 {
   const LeastMemory memory;
   // A pointer that owns nothing: the deformer is gone before the caller's model.
-  Deformer deformer(std::shared_ptr<const Model>(std::shared_ptr<const Model>(), &model), options);
-  deformer.isForOneCall_ = true;
+  Deformer deformer(std::shared_ptr<const Model>(std::shared_ptr<const Model>(), &model), options,
+                    DeformerMode::OneCall);
   DeformResult result = deformer.deform(constraints, source, progress);
   result.report = deformer.examined(result, progress);
   return result;

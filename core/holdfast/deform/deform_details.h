@@ -36,11 +36,9 @@ struct DeformDetails {
   std::shared_ptr<const Operators> operators;                ///< without L after `deform`
   std::shared_ptr<const ConstraintLabels> labels;            ///< of the constraints in the list
   std::shared_ptr<const std::vector<double>> sensitivities;  ///< of rows, see `Elimination::sensitivities`
-  std::vector<double> residuals;                             ///< of rows, model units; empty where nothing was solved
-  /// The distance from the others that constraints need so that hard ones can be met, see `kRankTolerance`; 0 where
-  /// they are.
-  double neededDistance = 0;
-  std::shared_future<Multipliers> multipliers;  ///< made on demand; none but for hard constraints
+  std::vector<double> residuals;                             ///< of rows at the positions of the result, model units
+  bool isSolved = false;                                     ///< the positions are a solution, and not those at rest
+  std::shared_future<Multipliers> multipliers;               ///< made on demand; none but for hard constraints
 };
 
 }  // namespace holdfast

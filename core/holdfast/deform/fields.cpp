@@ -4,7 +4,6 @@
 #include <limits>
 
 #include <holdfast/deform/deform_details.h>
-#include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/rotation_factorization.h>
 #include <holdfast/geometry/rotation_log.h>
 
@@ -25,8 +24,7 @@ Field residualField(const Model& model, const DeformResult& deformation)
 {
   std::vector<double> largest(static_cast<std::size_t>(model.solverMesh.unknownCount()),
                               std::numeric_limits<double>::quiet_NaN());
-  const std::vector<double> residuals =
-      rowResiduals(deformation.details->system, model.solverMesh.weld, deformation.positions);
+  const std::vector<double>& residuals = deformation.details->residuals;
   for (std::size_t r = 0; r < residuals.size(); ++r)
     for (const Term& term : deformation.details->system.rows[r].terms)
       largest[term.index] = std::fmax(largest[term.index], residuals[r]);

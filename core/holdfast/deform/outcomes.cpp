@@ -320,6 +320,14 @@ std::vector<ConstraintOutcome> outcomes(const DeformDetails& details, const std:
   return result;
 }
 
+ConstraintStatus rowStatus(const DeformDetails& details, Index row)
+{
+  const RowStatus status = details.diagnosis.status[row];
+  if (status == RowStatus::Conflicting) return ConstraintStatus::Conflicting;
+  if (isMissed(details, row)) return ConstraintStatus::Missed;
+  return status == RowStatus::Redundant ? ConstraintStatus::Redundant : ConstraintStatus::Met;
+}
+
 std::optional<MissedRow> setLargestResidual(Report& report, const DeformDetails& details,
                                             const std::vector<double>& residuals)
 {

@@ -26,6 +26,15 @@ namespace holdfast {
 [[nodiscard]] std::vector<ConstraintOutcome> outcomes(const DeformDetails& details,
                                                       const std::vector<double>& residuals);
 
+/// Whether the result misses a row by more than the row's limit.
+[[nodiscard]] inline bool isMissed(const DeformDetails& details, Index row)
+{
+  return details.residuals[row] > details.diagnosis.limits[row];
+}
+
+/// How a row fared at the positions of the result: conflicting, missed, redundant or met.
+[[nodiscard]] ConstraintStatus rowStatus(const DeformDetails& details, Index row);
+
 /// Sensitivities above this are warned of: a millionth of the model's size in what is asked for moves it by its size.
 inline constexpr double kLargeSensitivity = 1e6;
 

@@ -15,9 +15,6 @@ namespace {
 // From so many unknowns on, a factorisation takes longer than a hand waits.
 constexpr Index kLarge = 20000;
 
-// So many take about as long as drawing the picture.
-constexpr int kIterationsOfFrame = 2;
-
 constexpr std::chrono::milliseconds kLongestUnseen(100);
 
 // A hand that drags makes a longer pause only where it rests.
@@ -109,8 +106,9 @@ struct LiveDeformer::Shared {
   DeformResult deformed(const Job& job)
   {
     if (deformer == nullptr || deformerOptions != job.state->options) {
-      deformer = std::make_unique<Deformer>(*model, job.state->options);
-      deformer->answerEditsAtOnce(model->solverMesh.unknownCount() >= kLarge);
+      const bool isLarge = model->solverMesh.unknownCount() >= kLarge;
+      deformer = std::make_unique<Deformer>(model, job.state->options,
+                                            isLarge ? DeformerMode::Interactive : DeformerMode::Repeatable);
       deformerOptions = job.state->options;
     }
     StoppableProgress progress([this] { return stopRequest() != StopRequest::GoOn; },
@@ -119,12 +117,11 @@ struct LiveDeformer::Shared {
                                });
     const bool isFrame =
         job.supersede == Supersede::WhenDone && deformerOptions.rotations.source != RotationSource::Given;
-    deformer->continueRotations(isFrame ? kIterationsOfFrame : 0);
-    DeformResult result = deformer->deform(job.state->list, job.source, progress);
-    if (!isFrame) return result;
+    if (!isFrame) return deformer->deform(job.state->list, job.source, progress);
+    DeformResult result = deformer->deformFrame(job.state->list, job.source, progress);
     for (int k = 0; k < deformerOptions.rotations.mostIterations && isToGoOn(result); ++k) {
       tell({Kind::Iterate, job.revision, "", std::make_shared<const DeformResult>(std::move(result)), job.state});
-      result = deformer->deform(job.state->list, job.source, progress);
+      result = deformer->deformFrame(job.state->list, job.source, progress);
     }
     return result;
   }

@@ -199,8 +199,7 @@ TEST(Deformer, TellsOfEachFrameWhenAskedWhateverCameAfterIt)
   lists.back().constraints.erase(lists.back().constraints.begin() + 1);
   std::vector<DeformResult> frames;
   {
-    Deformer deformer(model);
-    deformer.answerEditsAtOnce(true);
+    Deformer deformer(model, {}, DeformerMode::Interactive);
     for (const ConstraintList& list : lists) frames.push_back(deformer.deform(list));
   }
   for (std::size_t frame = 0; frame < frames.size(); ++frame) {

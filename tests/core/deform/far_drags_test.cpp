@@ -139,8 +139,7 @@ TEST_P(FarDrags, MeetWhatFreshDeformationsMeet)
     const Mesh mesh = sphereAway(diagonals);
     test::Random random(3);
     ConstraintList list = GetParam().makeList(random, mesh);
-    Deformer deformer(makeModel(mesh));
-    deformer.answerEditsAtOnce(true);
+    Deformer deformer(makeModel(mesh), {}, DeformerMode::Interactive);
     static_cast<void>(deformer.deform(list));
     for (int k = 0; k < kFarFrames; ++k) {
       SCOPED_TRACE(k);

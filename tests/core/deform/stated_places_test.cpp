@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/deform/deform.h>
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/text/number_text.h>
 

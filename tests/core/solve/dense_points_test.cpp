@@ -86,8 +86,7 @@ TEST_P(DensePoints, AreMetWhereOtherBackendsMeetThem)
 TEST_P(DensePoints, AreMetInDragsAsWell)
 {
   ConstraintList list = densePoints(mesh_, GetParam().share, GetParam().off, 1);
-  Deformer deformer(makeModel(mesh_));
-  deformer.answerEditsAtOnce(true);
+  Deformer deformer(makeModel(mesh_), {}, DeformerMode::Interactive);
   for (int frame = 0; frame < 4; ++frame) {
     for (Constraint& constraint : list.constraints)
       std::get<Move>(std::get<PointConstraint>(constraint.what).to).shift.z() += 0.01;

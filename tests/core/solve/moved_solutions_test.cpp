@@ -180,8 +180,7 @@ TEST_P(TurnOfAHandle, IsAsAccurateAsFreshDeformations)
         AtFace{static_cast<Index>(random.integer(0, static_cast<int>(mesh.faces.size()) - 1)), {0.25, 0.125, 0.625}},
         Vector3::Zero()));
   auto& handle = std::get<HandleConstraint>(list.constraints[1].what);
-  Deformer deformer(makeModel(mesh), options);
-  deformer.answerEditsAtOnce(true);
+  Deformer deformer(makeModel(mesh), options, DeformerMode::Interactive);
   double degrees = 10;
   int corrections = 0;
   for (int k = 0; k < kFrames; ++k) {
@@ -228,8 +227,7 @@ TEST(MovedSolutions, AreAsExactAsOthers)
          HandleConstraint{
              {VertexIds{{last, last - 1, last - 2}}}, AxisRotation{Vector3(1, 1, 0), 40, {}}, Vector3::Zero(), {}}});
     list.constraints.push_back(test::moveBy(test::randomPlace(random, mesh), Vector3::Zero()));
-    Deformer deformer(makeModel(mesh), options);
-    deformer.answerEditsAtOnce(true);
+    Deformer deformer(makeModel(mesh), options, DeformerMode::Interactive);
     for (int k = 0; k < 6; ++k) {
       std::get<HandleConstraint>(list.constraints[1].what).translate = 0.1 * k * Vector3(1, 2, 3);
       std::get<PointConstraint>(list.constraints[2].what).to = Move{0.05 * k * Vector3(0, 1, -1)};

@@ -15,13 +15,6 @@
 namespace holdfast {
 namespace {
 
-ConstraintStatus statusOf(RowStatus row, double residual, double limit)
-{
-  if (row == RowStatus::Conflicting) return ConstraintStatus::Conflicting;
-  if (residual > limit) return ConstraintStatus::Missed;
-  return row == RowStatus::Redundant ? ConstraintStatus::Redundant : ConstraintStatus::Met;
-}
-
 MarkKind kindOf(std::size_t corners)
 {
   constexpr std::array kKinds{MarkKind::Selection, MarkKind::Vertex, MarkKind::Edge, MarkKind::Face};
@@ -178,15 +171,13 @@ bool areDrawnAlike(const std::vector<ConstraintMark>& a, const std::vector<Const
 std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResult& deformation)
 {
   const ConstraintSystem& system = deformation.details->system;
-  const std::vector<double> residuals = rowResiduals(system, model.solverMesh.weld, deformation.positions);
   std::vector<ConstraintMark> marks;
-  marks.reserve(residuals.size());
-  for (std::size_t r = 0; r < residuals.size(); ++r) {
+  marks.reserve(system.rows.size());
+  for (std::size_t r = 0; r < system.rows.size(); ++r) {
     const ConstraintRow& row = system.rows[r];
     if (row.terms.empty()) continue;
     ConstraintMark mark = markOf(row, model, deformation.positions);
-    mark.status =
-        statusOf(deformation.details->diagnosis.status[r], residuals[r], deformation.details->diagnosis.limits[r]);
+    mark.status = rowStatus(*deformation.details, static_cast<Index>(r));
     mark.kind = kindOf(row);
     mark.constraint = row.constraint;
     if (!isSinglePoint(mark.kind))

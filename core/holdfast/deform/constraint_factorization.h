@@ -1,0 +1,68 @@
+#pragma once
+/// All that the structure of a set of constraints costs, for any targets: the second of the three calls of section 6.
+
+#include <future>
+#include <memory>
+#include <vector>
+
+#include <holdfast/base/long_step.h>
+#include <holdfast/deform/deform.h>
+#include <holdfast/deform/forces.h>
+#include <holdfast/deform/rotation_factorization.h>
+#include <holdfast/elimination/diagnosis.h>
+#include <holdfast/rotation/rotation_energy.h>
+#include <holdfast/solve/constrained_solver.h>
+#include <holdfast/solve/moved_solutions.h>
+
+namespace holdfast {
+
+/// What a model gives for any constraints.
+struct ModelOperators {
+  std::shared_ptr<const Operators> operators;
+  std::shared_ptr<const RotationEnergy> energy;  ///< null where rotations are given
+  std::shared_ptr<const EnergyMatrix> A;
+};
+
+/// Rows are left out where they are closer to others than this at most, see `FactorStore::withFewerRows`: it keeps
+/// amplification below some thousands.
+inline constexpr double kLargestNeededDistance = 1e-3;
+
+/// The elimination of one set of rows and, once they are asked for, the factors of positions and rotations.
+struct ConstraintFactorization {
+  /// Leaves out rows that are closer to those before them than `itsTolerance`. `ranks` is the order of elimination.
+  ConstraintFactorization(std::shared_ptr<const Model> model, const ModelOperators& of, const std::vector<int>& ranks,
+                          const ConstraintSystem& itsSystem, const DeformOptions& options, double itsTolerance);
+
+  /// The same under the constraints of `wanted`, by the factor of `base`, bordered.
+  ConstraintFactorization(const ConstraintFactorization& wanted, std::shared_ptr<ConstraintFactorization> base);
+
+  /// Whether `other` has the rows, given rotations and rigid regions that this was made of. O(terms).
+  [[nodiscard]] bool serves(const ConstraintSystem& other) const;
+
+  /// Whether `other` has the same given rotations and rigid regions.
+  [[nodiscard]] bool turnsAs(const ConstraintSystem& other) const;
+
+  /// Whether the same rows stand in both.
+  [[nodiscard]] bool standsOn(const ConstraintFactorization& other) const;
+
+  /// Whether it has a factor, and it can be used.
+  [[nodiscard]] bool isReady();
+
+  /// How far a unit of change in what one row asks for moves the vertices at most; 1 without rows.
+  [[nodiscard]] double largestSensitivity() const;
+
+  ConstraintSystem system;
+  double tolerance;
+  std::shared_ptr<const EliminatedConstraints> eliminated;
+  std::shared_ptr<const std::vector<double>> sensitivities;  ///< of rows, see `Elimination::sensitivities`
+  bool mayHaveFewerRows;  ///< rows that nearly depend on others may go where not all are met
+  KnownGaps knownGaps;
+  std::shared_future<ActedOn> actedOn;  ///< made with the first forces
+  std::shared_ptr<RotationFactorization> rotations;
+  LongStep<SolverResult> positions;
+  std::unique_ptr<MovedSolutions> moved;  ///< where solutions may be sums of earlier ones
+  bool isBordered = false;
+  bool isForOneCall = false;  ///< the factor of rotations is released before that of positions takes memory
+};
+
+}  // namespace holdfast

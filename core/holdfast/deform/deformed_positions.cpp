@@ -1,0 +1,57 @@
+#include "holdfast/deform/deformed_positions.h"
+
+#include <holdfast/base/parallel.h>
+
+namespace holdfast {
+namespace {
+
+/// For each unknown, whether it is several vertices of the file.
+std::vector<char> sharedUnknowns(const Weld& weld)
+{
+  std::vector<char> isShared(static_cast<std::size_t>(weld.unknownCount), 0);
+  if (weld.unknownCount == static_cast<Index>(weld.unknownOf.size())) return isShared;
+  for (std::size_t v = 0; v < weld.unknownOf.size(); ++v)
+    if (weld.firstVertexOf[weld.unknownOf[v]] != static_cast<int>(v)) isShared[weld.unknownOf[v]] = 1;
+  return isShared;
+}
+
+/// `target`; but at rest the coordinates of the file, of which vertices that are one unknown may have 0 and -0.
+Eigen::RowVector3d pinned(const Vector3& target, const Eigen::RowVector3d& rest, bool isShared)
+{
+  Eigen::RowVector3d place = target;
+  for (Index k = 0; k < 3; ++k)
+    if (isShared && place[k] == rest[k]) place[k] = rest[k];
+  return place;
+}
+
+}  // namespace
+
+Positions deformedPositions(const Model& model, const ConstraintSystem& system, const Diagnosis& diagnosis,
+                            const Columns3& u)
+{
+  const std::vector<int>& unknownOf = model.solverMesh.weld.unknownOf;
+  std::vector<int> pinOf(static_cast<std::size_t>(model.solverMesh.unknownCount()), -1);
+  for (Index r = static_cast<Index>(system.rows.size()) - 1; r >= 0; --r)
+    if (system.rows[r].isPin() && diagnosis.status[r] != RowStatus::Conflicting)
+      pinOf[system.rows[r].terms.front().index] = static_cast<int>(r);
+  const std::vector<char> isShared = sharedUnknowns(model.solverMesh.weld);
+  const Positions& rest = model.mesh.positions;
+  const bool isApart = model.solverMesh.weld.joinsApart;
+  Positions positions(rest.rows(), 3);
+  parallelBlocks(rest.rows(), [&](Index v) {
+    const Index unknown = unknownOf[v];
+    const bool isPin = pinOf[unknown] >= 0;
+    const bool rests = isPin && isApart && system.rows[pinOf[unknown]].shift.isZero(0);
+    if (rests)
+      positions.row(v) = rest.row(v);  // vertices that are one unknown within a tolerance keep places of their own
+    else if (isPin)
+      positions.row(v) = pinned(system.rows[pinOf[unknown]].target, rest.row(v), isShared[unknown] != 0);
+    else if (u.row(unknown).isZero(0))
+      positions.row(v) = rest.row(v);  // -0 stays -0
+    else
+      positions.row(v) = rest.row(v) + u.row(unknown);
+  });
+  return positions;
+}
+
+}  // namespace holdfast

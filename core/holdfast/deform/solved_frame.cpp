@@ -1,0 +1,285 @@
+#include "holdfast/deform/solved_frame.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <holdfast/base/largest_size.h>
+#include <holdfast/base/parallel.h>
+#include <holdfast/base/stopwatch.h>
+#include <holdfast/check/mesh_check.h>
+#include <holdfast/deform/deformed_positions.h>
+#include <holdfast/deform/determined_part.h>
+#include <holdfast/deform/found_shape.h>
+#include <holdfast/deform/messages.h>
+#include <holdfast/rotation/decided_rotations.h>
+
+namespace holdfast {
+namespace {
+
+// A border by which fewer digits are left is not used.
+constexpr double kBorderedAccuracy = 1e-8;
+
+// Vertices that move by fewer diagonals leave doubles with the digits that the promised residual takes.
+constexpr double kFarMove = 100;
+
+/// The steps of one frame, in the order in which they stand here.
+class FrameSolver {
+ public:
+  FrameSolver(const FrameProblem& problem, ConstraintFactorization& by, ConstraintSystem system)
+      : problem_(problem), by_(by)
+  {
+    details_->labels = problem.labels;
+    details_->operators = problem.operators.operators;
+    details_->sensitivities = by.sensitivities;
+    details_->system = std::move(system);
+    report().weights = problem.options.weights;
+    report().options = problem.options.solver;
+    report().rotations = problem.options.rotations.source;
+    result_.report.mesh = describeMesh(problem.model);
+    result_.details = details_;
+  }
+
+  SolvedFrame solved(Progress& progress)
+  {
+    std::string refusal = turnRows(progress);
+    diagnoseRows();
+    if (!refusal.empty()) result_.rotations = Columns3::Zero(mesh().unknownCount(), 3);
+    addFindings(guardFindings(*details_->operators, mesh()));
+    addFindings(constraintFindings(problem_.model, *by_.eliminated, *details_));
+    if (refusal.empty()) refusal = solve(progress);
+    if (!refusal.empty()) refuse(refusal);
+    if (std::optional<Finding> crowd = crowdedFinding(*details_)) addFindings({*std::move(crowd)});
+    details_->diagnosis.particular = {};
+    return {std::move(result_), neededDistance_};
+  }
+
+ private:
+  /// Finds the field of rotations, and turns the rows that turn with it. Returns why that cannot be done, or nothing.
+  std::string turnRows(Progress& progress)
+  {
+    if (!details_->operators->undefinedRows.empty()) return undefinedRowsMessage(problem_.model, *details_->operators);
+    if (!by_.isForOneCall) {
+      announceFactorization(progress);
+      by_.positions.start(progress);  // beside the rotations
+    }
+    const bool isFactorised = by_.rotations->isReady();
+    const Stopwatch time;
+    if (!isFactorised) progress.step("solving the rotation field");
+    Rotations rotations = by_.rotations->solve(details_->system, progress);
+    (isFactorised ? report().seconds.solution : report().seconds.factorization) += time.seconds();
+    if (by_.isForOneCall) by_.rotations.reset();
+    takeOver(rotations, result_.report);
+    if (!rotations.failure.empty()) return failureMessage(problem_.options, rotations.failure);
+    details_->system = rotated(std::move(details_->system), rotations.q);
+    result_.rotations = std::move(rotations.q);
+    return {};
+  }
+
+  void announceFactorization(Progress& progress) const
+  {
+    if (!by_.positions.isDone())
+      progress.step(fmt::format("factorising {} unknowns", by_.eliminated->elimination.freeCount()));
+  }
+
+  void diagnoseRows()
+  {
+    details_->diagnosis = diagnose(*by_.eliminated, details_->system, mesh(), by_.knownGaps);
+    if (!isFound() && result_.rotations.rows() > 0)
+      details_->diagnosis.metIfFound =
+          closedWhereFound(*by_.eliminated, details_->system, mesh(), details_->diagnosis, result_.rotations);
+  }
+
+  /// Returns why there is no solution, or nothing.
+  std::string solve(Progress& progress)
+  {
+    const Stopwatch factorization;
+    announceFactorization(progress);
+    const SolverResult& solver = by_.positions.result(progress);
+    report().seconds.factorization += factorization.seconds();
+    if (!solver) return failureMessage(problem_.options, solver.failure);
+    progress.step("solving");
+    const Stopwatch solution;
+    const SolvedDisplacement displacement = displacementBy(*solver.value, progress);
+    report().unknowns = solver.value->unknowns();
+    report().factorNonzeros = solver.value->factorNonzeros();
+    report().method = solver.value->method();
+    report().refinementSteps = displacement.displacement->corrections;
+    std::string reason = judgeDisplacement(*solver.value, *displacement.displacement);
+    if (reason.empty()) {
+      if (isHard()) details_->multipliers = multipliersOf(displacement);
+      place(displacement.displacement->u);
+      reason = judgeRows(displacement.displacement->u);
+    }
+    report().seconds.solution += solution.seconds();
+    return reason.empty() ? reason : failureMessage(problem_.options, reason);
+  }
+
+  SolvedDisplacement displacementBy(const ConstrainedSolver& solver, Progress& progress)
+  {
+    if (isFound()) return findBy(solver, progress);
+    const auto makeF = [this] { return this->makeF(); };
+    if (by_.moved != nullptr) return by_.moved->solve(solver, targets(), result_.rotations, makeF);
+    auto f = std::make_shared<const Columns3>(makeF());
+    auto displacement = std::make_shared<const Displacement>(solver.solve(targets(), *f));
+    return {std::move(displacement), std::move(f)};
+  }
+
+  [[nodiscard]] RowTargets targets()
+  {
+    Diagnosis& diagnosis = details_->diagnosis;
+    return {shiftsOf(details_->system), diagnosis.reconciled, std::move(diagnosis.particular)};
+  }
+
+  [[nodiscard]] Columns3 makeF() const
+  {
+    const Eigen::VectorXd& weights = details_->operators->rowWeights;
+    Columns3 f = rotationOfDelta(details_->operators->delta, result_.rotations);
+    parallelBlocks(f.rows(), [&](Index i) { f.row(i) *= mesh().diagonal * weights[i]; });
+    return f;
+  }
+
+  SolvedDisplacement findBy(const ConstrainedSolver& solver, Progress& progress)
+  {
+    RotationOptions options = problem_.options.rotations;
+    if (problem_.before != nullptr) options.mostIterations = kIterationsOfFrame;
+    const FoundProblem problem{*problem_.operators.energy, mesh(), *by_.eliminated, solver};
+    FoundShape shape = findShape(
+        problem, std::move(details_->system),
+        {std::move(result_.rotations), problem_.before == nullptr ? Columns3() : *problem_.before}, options, progress);
+    report().iterations = shape.iterations;
+    if (!shape.iterations.isConverged && problem_.before == nullptr)
+      addFindings({unconvergedWarning(shape.iterations, options)});
+    result_.rotations = std::move(shape.q);
+    details_->system = std::move(shape.system);
+    diagnoseRows();
+    details_->diagnosis.reasons = std::move(shape.reasons);
+    addFindings(std::move(shape.findings));
+    return {std::make_shared<const Displacement>(std::move(shape.displacement)),
+            std::make_shared<const Columns3>(std::move(shape.wanted))};
+  }
+
+  /// Whether it is a solution at all, and how accurate: what constraints determine, and what they leave free. Returns
+  /// why it is none, or nothing; warns of what is doubtful. Other solvers than `Hard` do not tell the parts apart.
+  std::string judgeDisplacement(const ConstrainedSolver& solver, const Displacement& displacement)
+  {
+    if (by_.isBordered && displacement.accuracy > kBorderedAccuracy) return "the border leaves too few digits";
+    if (!std::isfinite(largestSize(displacement.u)))
+      return farOff(displacement.u, "the solution is not finite: the problem is singular in doubles");
+    const DeterminedPart determined = isHard() ? determinedPart(details_->system, *details_->sensitivities, solver,
+                                                                details_->diagnosis.reconciled, displacement.u)
+                                               : DeterminedPart{};
+    report().accuracy = std::max(displacement.accuracy, determined.accuracy);
+    const bool isOfRows = determined.accuracy > displacement.accuracy;
+    const std::optional<Finding> warning = isOfRows
+                                               ? determinedWarning(*details_, determined)
+                                               : accuracyWarning("low_accuracy", "the solution", displacement.accuracy);
+    if (warning) addFindings({*warning});
+    const std::string failure =
+        isOfRows ? determinedFailure(*details_, determined) : accuracyFailure(displacement.accuracy);
+    return failure.empty() ? failure : farOff(displacement.u, "the solution cannot be used: " + failure);
+  }
+
+  /// `reason`, where it may be that rows nearly depend on others: notes what distance would keep `u` near. An
+  /// inconsistency moves vertices by its size times the largest sensitivity.
+  std::string farOff(const Columns3& u, std::string reason)
+  {
+    if (!isHard()) return reason;
+    const double moved = largestSize(u) / mesh().diagonal;
+    const double distance = moved / (kFarMove * by_.largestSensitivity());
+    neededDistance_ = std::isfinite(distance) ? std::max(distance, kRankTolerance) : kRankTolerance;
+    return reason;
+  }
+
+  /// Forces are made whenever somebody asks for them: nothing that they are made of changes.
+  [[nodiscard]] std::shared_future<Multipliers> multipliersOf(SolvedDisplacement solved) const
+  {
+    return std::async(std::launch::deferred,
+                      [A = problem_.operators.A, actedOn = by_.actedOn, eliminated = by_.eliminated,
+                       diagonal = mesh().diagonal, solved = std::move(solved)]() mutable {
+                        const SolvedDisplacement its = std::exchange(solved, {});  // not to be kept beside the forces
+                        Columns3 forces = forcesAtUnknowns(*A, actedOn.get(), its.displacement->u, *its.f, diagonal);
+                        return Multipliers{eliminated->elimination.multipliers(forces), std::move(forces)};
+                      });
+  }
+
+  /// The elimination copies pins. What the other solvers find is measured as they find it.
+  void place(const Columns3& u)
+  {
+    result_.positions = isHard() ? deformedPositions(problem_.model, details_->system, details_->diagnosis, u)
+                                 : deformedPositions(problem_.model, {}, {}, u);
+  }
+
+  /// Residuals, limits and statuses of all rows at the positions. Returns why hard constraints are missed, or nothing.
+  std::string judgeRows(const Columns3& u)
+  {
+    Diagnosis& diagnosis = details_->diagnosis;
+    if (!diagnosis.isNearOrigin) diagnosis.limits = residualLimits(mesh(), details_->system, diagnosis.dependent, u);
+    details_->residuals = rowResiduals(details_->system, mesh().weld, result_.positions);
+    details_->isSolved = true;
+    if (isHard()) judgeUndecided();
+    tellOutcomes();
+    const std::optional<MissedRow> worst = setLargestResidual(result_.report, *details_, details_->residuals);
+    report().status = diagnosis.hasConflicts() ? SolveStatus::Conflicts : SolveStatus::Ok;
+    report().message = solvedMessage(result_.report, worst);
+    return isHard() && worst ? farOff(u, missedMessage(result_.report, *worst)) : "";
+  }
+
+  /// Rows too close to depending on others to be held with them hold where the solution happens to meet them.
+  void judgeUndecided()
+  {
+    Diagnosis& diagnosis = details_->diagnosis;
+    for (const auto& [dependency, gap] : diagnosis.dependent)
+      if (dependency.isUndecided())
+        diagnosis.status[dependency.row] =
+            isMissed(*details_, dependency.row) ? RowStatus::Conflicting : RowStatus::Redundant;
+  }
+
+  /// The result is the shape at rest. Nothing is said of residuals: they would be those of what was discarded.
+  void refuse(const std::string& message)
+  {
+    report().status = SolveStatus::Failed;
+    report().message = message;
+    result_.positions = problem_.model.mesh.positions;
+    details_->residuals = rowResiduals(details_->system, mesh().weld, result_.positions);
+    details_->isSolved = false;
+    details_->multipliers = {};
+    tellOutcomes();
+  }
+
+  /// They are made of the details as these are when somebody first looks.
+  void tellOutcomes()
+  {
+    result_.report.constraints = ConstraintOutcomes([details = result_.details] {
+      return outcomes(*details, details->isSolved ? details->residuals : std::vector<double>());
+    });
+  }
+
+  void addFindings(std::vector<Finding> some)
+  {
+    std::vector<Finding>& findings = result_.report.mesh.findings;
+    findings.insert(findings.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
+  }
+
+  [[nodiscard]] SolveReport& report() { return result_.report.solve; }
+  [[nodiscard]] const SolverMesh& mesh() const { return problem_.model.solverMesh; }
+  [[nodiscard]] bool isHard() const { return problem_.options.solver.kind == SolverKind::Hard; }
+  [[nodiscard]] bool isFound() const { return problem_.operators.energy != nullptr; }
+
+  const FrameProblem& problem_;
+  ConstraintFactorization& by_;
+  std::shared_ptr<DeformDetails> details_ = std::make_shared<DeformDetails>();
+  DeformResult result_;
+  double neededDistance_ = 0;
+};
+
+}  // namespace
+
+SolvedFrame solveFrame(const FrameProblem& problem, ConstraintSystem system, ConstraintFactorization& by,
+                       Progress& progress)
+{
+  return FrameSolver(problem, by, std::move(system)).solved(progress);
+}
+
+}  // namespace holdfast
