@@ -1,17 +1,25 @@
 #!/usr/bin/env bash
 # What takes too long for every change, once a night: the tests of label `nightly` (meshes that are no part of the project,
 # the tour of the window, the core alone with all its tests), what other versions of VTK, Qt and Mesa may do differently on
-# both Debians, the window and the workers under sanitizers, the batch program under valgrind, and the benchmarks. Installs what is missing first (apt). Goes on after a failure, says at the
-# end which parts failed and how long each took, and ends with 1 if any did. docs/testing.md says more.
-#   scripts/nightly.sh [PART...]      PART: tests, bookworm, trixie, window, threads, threads-window, valgrind, benchmarks; all if left out
+# both Debians, each source compiled alone, the window and the workers under sanitizers, the batch program under valgrind,
+# and the benchmarks. Installs what is missing first (apt). Goes on after a failure, says at the end which parts failed and
+# how long each took, and ends with 1 if any did. docs/testing.md says more.
+#   scripts/nightly.sh [PART...]      PART: tests, bookworm, trixie, sources, window, threads, threads-window, valgrind,
+#                                     benchmarks; all if left out
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . scripts/lib/packages.sh
+. scripts/lib/build.sh
 . scripts/lib/bare_system.sh
 
 run_tests() { scripts/test.sh --label-regex nightly; }
 run_bookworm() { in_bare_system bookworm scripts/test.sh --tests-regex "$by_version"; }
 run_trixie() { in_bare_system trixie scripts/test.sh --tests-regex "$by_version"; }
+run_sources() {
+  install_packages "${holdfast_packages[@]}"
+  configure_preset debug -DHOLDFAST_BUILD_GUI=ON -DHOLDFAST_WITH_CHOLMOD=ON -DHOLDFAST_BUILD_TESTS=ON -DHOLDFAST_BUILD_BENCH=ON
+  build_preset debug
+}
 run_window() { scripts/sanitize.sh --window; }
 run_threads() { scripts/sanitize.sh --threads; }
 run_threads_window() { scripts/sanitize.sh --threads --window; }
@@ -35,7 +43,7 @@ run_valgrind() {
 by_version='^widgets/FilteredGrid|^render/|^window/PictureOfBar|^window/DocumentExports'
 
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(tests bookworm trixie window threads threads-window valgrind benchmarks)
+[ ${#parts[@]} -gt 0 ] || parts=(tests bookworm trixie sources window threads threads-window valgrind benchmarks)
 failed=0
 summary=()
 for part in "${parts[@]}"; do

@@ -1,14 +1,14 @@
 #pragma once
 /// \file
-/// All that a program needs that deforms meshes: one include for the public headers of `holdfast::core`.
+/// One include for all that a program needs to deform meshes: the public headers of `holdfast::core`.
 ///
 ///     const holdfast::Model model = holdfast::makeModel({positions, holdfast::Polygons(triangles)});
 ///     const holdfast::DeformResult result = holdfast::deform(model, constraints);
 ///
-/// A model is made of a mesh (`mesh.h`) from memory or from a file (`mesh_file.h`), constraints are values
-/// (`constraint.h`) or come from a file (`constraint_file.h`). `deform.h` deforms once; a `Deformer` (`deformer.h`)
-/// deforms again and again. The report (`report.h`) names what repeats and what conflicts; `fields.h` has residuals,
-/// rotations and displacements as numbers over the vertices.
+/// A model is made of a mesh (`mesh.h`), which comes from memory or from a file (`mesh_file.h`). Constraints are values
+/// (`constraint.h`), or come from a file (`constraint_file.h`). The function `deform` (`deform.h`) deforms once. A
+/// `Deformer` (`deformer.h`) deforms again and again. The report (`report.h`) names the constraints that repeat others
+/// and those that conflict. `fields.h` gives residuals, rotations and displacements as numbers over the vertices.
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/progress.h>

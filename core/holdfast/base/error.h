@@ -1,7 +1,8 @@
 #pragma once
-/// The exceptions of Holdfast. A file, an option or an output that cannot be used throws one of these; it carries what
-/// a program needs to say where, and `what()` is the whole sentence for the user, on one printable line (see
-/// `printable`). Constraints that cannot be met and numerical outcomes are values, never exceptions.
+/// The exceptions of Holdfast. A file, an option or an output that cannot be used throws one of these. The exception
+/// carries what a program needs to say where the fault is. `what()` is the whole sentence for the user, on one
+/// printable line (see `printable`). Constraints that cannot be met and numerical outcomes are values, never
+/// exceptions.
 
 #include <stdexcept>
 #include <string>
@@ -10,14 +11,21 @@
 
 namespace holdfast {
 
-/// A place in something the user gave. Only `file` need be set.
+/// A place in something that the user gave. Only `file` need be set.
 struct InputLocation {
-  std::string file;     ///< path as the user wrote it
-  Index line = 0;       ///< from 1; 0 where lines mean nothing (binary files) or are not known
-  std::string element;  ///< JSON path ("constraints[3].at.face"), "vertex 12", "byte 1024"; may be empty
+  std::string file;     ///< the path as the user wrote it
+  Index line = 0;       ///< the line from 1; 0 where lines mean nothing (binary files) or are not known
+  std::string element;  ///< a JSON path ("constraints[3].at.face"), "vertex 12" or "byte 1024"; may be empty
 };
 
-/// An input cannot be read or is not usable. `what()` is "file:line: element: reason".
+/// This is thrown when an input cannot be read or is not usable. `what()` is "file:line: element: reason".
+///
+///     try {
+///       show(readMesh("bracket.obj").mesh);
+///     } catch (const InputError& error) {
+///       std::cerr << error.what() << '\n';
+///       highlightLine(error.location().file, error.location().line);
+///     }
 class InputError : public std::runtime_error {
  public:
   /// `reason` says what is wrong and what to do about it, without the place.
@@ -31,7 +39,7 @@ class InputError : public std::runtime_error {
   std::string reason_;
 };
 
-/// An output cannot be written. `what()` is "path: reason". Nothing is left half-written.
+/// This is thrown when an output cannot be written. `what()` is "path: reason". Nothing is left half-written.
 class OutputError : public std::runtime_error {
  public:
   OutputError(std::string path, const std::string& reason);

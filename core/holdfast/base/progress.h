@@ -1,5 +1,5 @@
 #pragma once
-/// How long work reports how far it is, and how it is stopped.
+/// Long work reports through these classes how far it is, and its caller stops it through them.
 
 #include <functional>
 #include <stdexcept>
@@ -9,22 +9,23 @@
 
 namespace holdfast {
 
-/// Thrown by a `Progress` of a caller that wants the work to stop. Nothing has been changed when it arrives.
+/// The caller's `Progress` throws this when the caller wants the work to stop. Nothing has been changed when it
+/// arrives.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// Receives the steps of long work ("factorising 172,666 unknowns"). Called on the thread that works.
+/// A `Progress` receives the steps of long work ("factorising 172,666 unknowns"). The thread that works calls it.
 class Progress {
  public:
   virtual ~Progress() = default;
 
-  /// May throw `Cancelled`.
+  /// The work calls this at the beginning of each step. The function may throw `Cancelled`.
   virtual void step(std::string_view description) = 0;
 
-  /// Called again and again while a step that nothing can stop goes on elsewhere (`LongStep`), with the share of its
-  /// operations that is done: 0 where that is not known. May throw `Cancelled`.
+  /// A step that nothing can stop goes on elsewhere (`LongStep`). Meanwhile this is called again and again. `share` is
+  /// how much of the operations of the step is done, 0 where that is not known. The function may throw `Cancelled`.
   virtual void proceed(double /*share*/) {}
 
  protected:
@@ -33,8 +34,16 @@ class Progress {
   Progress& operator=(const Progress&) = default;
 };
 
-/// Reports every step to `report`, with its share in whole percent where that is known, and stops the work once
-/// `isUnwanted` returns true. Both are called on the thread that works.
+/// This progress reports every step to `report`, with its share in whole percent where that is known. It stops the work
+/// once `isUnwanted` returns true. The thread that works calls both.
+///
+///     std::atomic<bool> isStopped = false;  // another thread sets it
+///     StoppableProgress progress([&] { return isStopped.load(); }, [](std::string_view step) { show(step); });
+///     try {
+///       show(deform(model, constraints, "constraints", {}, progress).positions);
+///     } catch (const Cancelled&) {
+///       show("stopped; nothing has changed");
+///     }
 class StoppableProgress final : public Progress {
  public:
   StoppableProgress(std::function<bool()> isUnwanted, std::function<void(std::string_view)> report)
@@ -52,16 +61,16 @@ class StoppableProgress final : public Progress {
   int percent_ = 0;
 };
 
-/// "factorising 1000 unknowns, 40 %".
+/// Returns the text that `StoppableProgress` reports: "factorising 1000 unknowns, 40 %".
 [[nodiscard]] std::string withPercent(std::string_view description, int percent);
 
-/// Reports nothing.
+/// This progress reports nothing and never stops the work.
 class NoProgress final : public Progress {
  public:
   void step(std::string_view /*description*/) override {}
 };
 
-/// The default of functions that report their progress.
+/// Functions that report their progress take this one by default.
 [[nodiscard]] inline Progress& noProgress()
 {
   static NoProgress none;

@@ -1,5 +1,5 @@
 #pragma once
-/// Constraints as a user states them: one entry of a constraint file each, in the file's own terms.
+/// Constraints as a user states them. Each is one entry of a constraint file, in the file's own terms.
 
 #include <optional>
 #include <string>
@@ -11,66 +11,70 @@
 
 namespace holdfast {
 
-/// Every selected vertex stays where it is: p at rest, q = 0.
+/// Every selected vertex stays where it is at rest, and the surface does not rotate there: q = 0.
 struct FixedConstraint {
   static constexpr const char* kType = "fixed";
   Selection select;
 };
 
-/// A turn by `degrees` (any number) about the line through `center` along `axis` (not zero, any length).
+/// A rotation by `degrees` about the line through `center` along `axis`. `degrees` is any number. `axis` is not zero
+/// and has any length.
 struct AxisRotation {
   Vector3 axis = Vector3::UnitZ();
   double degrees = 0;
-  std::optional<Vector3> center;  ///< the centroid of the selected vertices at rest where absent
+  std::optional<Vector3> center;  ///< where absent, the centroid of the selected vertices at rest
 };
 
-/// A turn by `degrees` (any number) about `axis` (not zero, any length).
+/// A rotation by `degrees` about `axis`. `degrees` is any number. `axis` is not zero and has any length.
 struct AxisAngle {
   Vector3 axis = Vector3::UnitZ();
   double degrees = 0;
 };
 
-/// The shortest rotation that takes the handle from where the fixed vertices see it to where they see it after
-/// `HandleConstraint::translate`, centroid from centroid, at rest; about the handle's own centroid.
+/// The handle rotates as it moves about the fixed vertices. At rest its centroid lies in one direction from the
+/// centroid of the fixed vertices. After `HandleConstraint::translate` it lies in another direction from there. The
+/// handle makes the shortest rotation that takes the first direction to the second, about its own centroid.
 struct RotationAboutFixed {
-  /// Of the turns that make this rotation, apart by whole turns, the nearest to this is meant, the shortest without it.
-  /// Where both directions are opposite, the axis across them that is nearest to this one is taken.
+  /// Angles that differ by whole turns make the same rotation. The one that is nearest to this is meant; without this,
+  /// the shortest. Where the two directions are opposite, the axis is the one across them that is nearest to this one.
   std::optional<AxisAngle> near;
 };
 
-/// A right-handed frame in space: z is across x and y, and y is made perpendicular to x. Neither is zero, nor are they
-/// parallel; their lengths do not matter.
+/// A right-handed frame in space. Its y is made perpendicular to x, and its z is across both. `x` and `y` are neither
+/// zero nor parallel. Their lengths do not matter.
 struct Frame {
   std::optional<Vector3> origin;
   Vector3 x = Vector3::UnitX();
   Vector3 y = Vector3::UnitY();
 };
 
-/// The rigid motion that takes `from` to `to` by the shortest rotation and `turns` whole turns about its axis more.
+/// The rigid motion that takes `from` to `to`. It rotates by the shortest rotation, and by `turns` whole turns more
+/// about the same axis.
 struct FrameMotion {
-  Frame from;       ///< its origin: the centroid of the selected vertices at rest where absent
-  Frame to;         ///< its origin: that of `from` where absent
-  Index turns = 0;  ///< other than 0 only where the rotation has an axis
+  Frame from;       ///< without an origin, that is the centroid of the selected vertices at rest
+  Frame to;         ///< without an origin, that is the origin of `from`
+  Index turns = 0;  ///< not 0 only where the rotation has an axis
 };
 
-/// A place for each vertex, three or more, in the order of the selection, which has to be distinct `VertexIds`. They
-/// turn by the rotation that fits best.
+/// Each vertex goes to a place of its own. There are three places or more, in the order of the selection. The selection
+/// has to be distinct `VertexIds`. The rotation of the handle is the one that fits the places best.
 struct VertexTargets {
   std::vector<Vector3> places;
 };
 
-/// Every selected vertex goes where `motion` takes it, or stays where there is none, and then by `translate`. The
-/// rotation of the motion, none where there is none, is handed on to the surface.
+/// Every selected vertex goes where `motion` takes it, and from there by `translate`. Without a motion it only goes by
+/// `translate`. The rotation of the motion is handed on to the surface; without a motion there is none.
 struct HandleConstraint {
   static constexpr const char* kType = "handle";
   Selection select;
   std::variant<std::monostate, AxisRotation, RotationAboutFixed, FrameMotion, VertexTargets> motion;
   Vector3 translate = Vector3::Zero();
-  /// What each vertex hands on to the surface in place of that: one for each of distinct `VertexIds`, or none at all.
+  /// Each vertex hands its own rotation on to the surface in place of that of the motion. The list has one rotation for
+  /// each id, and the selection has to be distinct `VertexIds`; or the list is empty.
   std::vector<AxisAngle> rotations;
 };
 
-/// A point goes to a place; model units.
+/// A point goes to a place, in model units.
 struct Target {
   Vector3 place = Vector3::Zero();
 
@@ -78,7 +82,7 @@ struct Target {
   [[nodiscard]] Vector3 shiftFrom(const Vector3& rest) const { return place - rest; }
 };
 
-/// A point goes by a shift from where it is at rest; model units.
+/// A point goes by a shift from where it is at rest, in model units.
 struct Move {
   Vector3 shift = Vector3::Zero();
 
@@ -93,25 +97,27 @@ struct PointConstraint {
   std::variant<Target, Move> to;
 };
 
-/// Where a point goes that is at `rest`, bit for bit as the solver takes it.
+/// Returns where the point goes if it is at `rest` before, bit for bit as the solver takes it.
 [[nodiscard]] inline Vector3 placeOf(const PointConstraint& point, const Vector3& rest)
 {
   return std::visit([&](const auto& to) { return to.placeFrom(rest); }, point.to);
 }
 
-/// By how much a point moves that is at `rest`, bit for bit as the solver takes it.
+/// Returns by how much the point moves if it is at `rest` before, bit for bit as the solver takes it.
 [[nodiscard]] inline Vector3 shiftOf(const PointConstraint& point, const Vector3& rest)
 {
   return std::visit([&](const auto& to) { return to.shiftFrom(rest); }, point.to);
 }
 
-/// The vectors between the selected vertices are kept and their rotations are equal, equations (28) and (29).
+/// The selected vertices move as one body, equations (28) and (29). The vectors between them rotate with it and keep
+/// their lengths; the rotations of all of them are equal.
 struct RigidConstraint {
   static constexpr const char* kType = "rigid";
   Selection select;
 };
 
-/// p_from - p_to keeps its rest vector, or takes `offset`, Fig. 8.
+/// The vector p_from - p_to is prescribed, Fig. 8. It is `offset`, in model units; where that is absent it is the
+/// vector at rest, rotated as the surface rotates.
 struct RelativeConstraint {
   static constexpr const char* kType = "relative";
   SurfaceLocation from;
@@ -119,7 +125,7 @@ struct RelativeConstraint {
   std::optional<Vector3> offset;
 };
 
-/// Something that a file says of a constraint and that means nothing to the solution: a column of a point list.
+/// Something that a file says of a constraint, such as a column of a point list. It means nothing to the solution.
 struct ExtraText {
   std::string title;  ///< not empty
   std::string text;
@@ -129,19 +135,19 @@ struct ExtraText {
 
 /// One entry of a constraint file.
 struct Constraint {
-  std::string name;  ///< unique in its list
+  std::string name;  ///< no other constraint of the list has it
   bool isEnabled = true;
   std::variant<FixedConstraint, HandleConstraint, PointConstraint, RigidConstraint, RelativeConstraint> what;
-  std::vector<ExtraText> extra = {};  ///< kept for the files that are written from it; titles differ
+  std::vector<ExtraText> extra = {};  ///< kept for files that are written from it; no title repeats
 };
 
-/// The name of the constraint's type in files and reports.
+/// Returns the name of the constraint's type in files and reports: "fixed", "handle", ...
 [[nodiscard]] inline const char* typeName(const Constraint& constraint)
 {
   return std::visit([](const auto& what) { return what.kType; }, constraint.what);
 }
 
-/// The selection of a constraint that has one; null for others.
+/// Returns the selection of a constraint that has one, and null for others.
 [[nodiscard]] inline const Selection* selectionOf(const Constraint& constraint)
 {
   return std::visit(
@@ -154,9 +160,18 @@ struct Constraint {
       constraint.what);
 }
 
-/// A whole constraint file. The order is that of precedence: where not all can hold, earlier ones do.
+/// A whole constraint file. The order of the constraints is their precedence: where not all can hold, the earlier ones
+/// do.
+///
+///     ConstraintList list;
+///     list.constraints.push_back({"base", true, FixedConstraint{{InBox{{-60, -40, -1}, {60, 40, 2}}}}});
+///     list.constraints.push_back({"P1", true, PointConstraint{AtNear{{0, 23, 65}}, Target{{0.4, 22.6, 65.4}}}});
+///     HandleConstraint tip;
+///     tip.select.what = VertexIds{{10, 11, 12}};
+///     tip.motion = AxisRotation{Vector3::UnitZ(), 90, {}};
+///     list.constraints.push_back({"tip", true, tip});
 struct ConstraintList {
-  std::string units;  ///< as the user calls them ("mm"); may be empty
+  std::string units;  ///< the user's name of the unit of length ("mm"); may be empty
   std::vector<Constraint> constraints;
 };
 

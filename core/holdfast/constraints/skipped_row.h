@@ -1,5 +1,5 @@
 #pragma once
-/// A row of a point list that was left out.
+/// The rows of a point list that were left out.
 
 #include <string>
 
@@ -7,10 +7,11 @@
 
 namespace holdfast {
 
+/// A row of a point list that could not be read and was left out.
 struct SkippedRow {
-  Index line = 0;  ///< of the file, from 1
+  Index line = 0;  ///< its line in the file, from 1
   std::string name;
-  std::string fault;  ///< where in the row and what is wrong: "column z: "two" is not a number"
+  std::string fault;  ///< where in the row the fault is, and what is wrong: "column z: "two" is not a number"
 };
 
 }  // namespace holdfast

@@ -1,5 +1,6 @@
 #pragma once
-/// The whole way from a mesh and its constraints to deformed positions: set-up, decomposition, solution (section 6).
+/// `deform` goes the whole way from a mesh and its constraints to deformed positions: set-up, decomposition and
+/// solution (section 6).
 
 #include <memory>
 #include <string>
@@ -13,46 +14,54 @@ namespace holdfast {
 
 struct DeformDetails;
 
-/// `near` places farther from the surface than this share of the diagonal are warned of: parts as measured are seldom
-/// off by more, and places in another unit or coordinate system are.
+/// The report warns of `near` places farther from the surface than this share of the diagonal. Parts as measured are
+/// seldom off by more. Places in another unit or coordinate system are.
 inline constexpr double kNearLimit = 0.01;
 
+/// These options say how to deform, whatever the constraints are.
 struct DeformOptions {
   Weights weights = Weights::Cotangent;
   SolverOptions solver;
   RotationOptions rotations = {};
-  double nearLimit = kNearLimit;  ///< share of the diagonal
-  double weldTolerance = 0;       ///< for `makeModel`, model units: a model that is there already was welded
+  double nearLimit = kNearLimit;  ///< as a share of the diagonal
+  double weldTolerance = 0;       ///< for `makeModel`, in model units; `deform` ignores it: its model was welded before
 
   friend bool operator==(const DeformOptions&, const DeformOptions&) = default;
 };
 
-/// A deformed mesh, or (status `Failed`) the mesh at rest with the reason in the report.
+/// A deformed mesh. Where the status is `Failed` it is the mesh at rest, and the report has the reason.
 struct DeformResult {
-  Positions positions;  ///< of the file's vertices
-  Columns3 rotations;   ///< q of every unknown, n x 3, logs
+  Positions positions;  ///< N x 3, of the file's vertices, model units
+  Columns3 rotations;   ///< n x 3, the log q of every unknown
   Report report;
-  std::shared_ptr<const DeformDetails> details;  ///< what fields, multipliers and marks of constraints are made of
+  std::shared_ptr<const DeformDetails> details;  ///< fields, multipliers and marks of constraints are made of these
 
-  /// Those of the constraints, summed up at the unknowns that they name, n x 3; 0 at all others. No rows but for hard
-  /// constraints that were solved. Made when they are first asked for.
+  /// Returns the Lagrange multipliers of the constraints, n x 3. Each row is their sum at an unknown that constraints
+  /// name, and 0 at all others. There are no rows unless hard constraints were solved. The first call makes them.
   [[nodiscard]] const Columns3& multipliers() const;
 };
 
-/// Deforms `model` under `constraints`; `source` names the list in messages. Throws `InputError` for constraints that
-/// do not fit the mesh, and what `progress` throws. Everything else is in the report. The model is not changed.
+/// Deforms `model` under `constraints`. Messages call the list `source`. Throws `InputError` for constraints that do
+/// not fit the mesh, and what `progress` throws. The report has everything else. The model is not changed.
+///
+///     const Model model = makeModel(readMesh("bracket.obj").mesh, "bracket.obj");
+///     DeformOptions options;
+///     options.rotations.source = RotationSource::Found;
+///     const DeformResult result = deform(model, readConstraints("points.csv"), "points.csv", options);
+///     if (result.report.solve.status == SolveStatus::Failed) std::cerr << result.report.solve.message << '\n';
 [[nodiscard]] DeformResult deform(const Model& model, const ConstraintList& constraints,
                                   const std::string& source = "constraints", const DeformOptions& options = {},
                                   Progress& progress = noProgress());
 
-/// The report without positions: what repeats, what conflicts, which parts would stay at rest. Residuals are not set.
-/// Rotations are solved for, with the weights and the backend of `options`, where any are asked for: what rigid regions
-/// and kept distances ask for turns with them. The status is `Failed` where the rotations cannot be found; what is said
-/// of constraints then holds without them.
+/// Makes the report without positions. It says which constraints repeat others, which conflict, and which parts would
+/// stay at rest. Residuals are not set. Where constraints ask for rotations, these are solved for with the weights and
+/// the backend of `options`. What rigid regions and kept vectors ask for turns with them. Where the rotations cannot be
+/// found, the status is `Failed`. What the report says of constraints then holds without rotations. Throws `InputError`
+/// for constraints that do not fit the mesh.
 [[nodiscard]] Report diagnoseConstraints(const Model& model, const ConstraintList& constraints,
                                          const std::string& source = "constraints", const DeformOptions& options = {});
 
-/// The part of the report that speaks of the mesh alone.
+/// Makes the part of the report that speaks of the mesh alone.
 [[nodiscard]] MeshReport describeMesh(const Model& model);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// A mesh that is deformed again and again, as under a drag: what did not change is not computed again.
+/// A deformer deforms one mesh again and again, as under a drag. It does not compute again what did not change.
 
 #include <memory>
 #include <string>
@@ -9,22 +9,24 @@
 
 namespace holdfast {
 
-/// What a deformer is made for.
+/// The use that a deformer is made for.
 enum class DeformerMode {
-  /// Every call finds what it would find as the first one, bit for bit.
+  /// Every call finds what it would find if it were the first one, bit for bit.
   Repeatable,
-  /// Edits and drags are answered in a fraction of the time, and constraints are held to the same limits. Few changed
-  /// rows are answered by the factor that is there, bordered, while another factor is made beside the next calls: for
-  /// hard constraints and our own factor. Points and handles that moved in at most three ways, with the same rotations,
-  /// are answered by a sum of earlier solutions; turns begin at the sum that is nearest. The last digits depend on the
-  /// calls before. Up to two factors are in memory.
+  /// Edits and drags are answered in a fraction of the time, and constraints are held to the same limits. The last
+  /// digits depend on the calls before. Up to two factors are in memory.
+  ///
+  /// Where few rows changed, the factor that is there answers, bordered. Another factor is made beside the next calls.
+  /// This holds for hard constraints and our own factor. Where points and handles moved in at most three ways, with the
+  /// same rotations, a sum of earlier solutions answers. Where they turned, the solution begins at the nearest such
+  /// sum.
   Interactive,
-  /// There is one call. What the rest of it does not need is released.
+  /// The deformer is called once. It releases what the rest of the call does not need.
   OneCall
 };
 
-/// Deforms one model under one list of constraints after another. Operators are made once. As long as only targets and
-/// rotations change, from one list to the next, nothing is factorised. Not for concurrent calls.
+/// Deforms one model under one list of constraints after another. The first call makes the operators. As long as only
+/// targets and rotations change from one list to the next, nothing is factorised. Calls must not be concurrent.
 ///
 ///     Deformer deformer(model);
 ///     for (const Vector3& place : places) {
@@ -42,31 +44,33 @@ class Deformer {
 
   [[nodiscard]] const Model& model() const noexcept;
 
-  /// As the function `deform`. When `progress` or an unusable list throws, this is as if it had not been called.
+  /// Deforms as the function `deform` does, but leaves out what `checked` and `examined` look for. When `progress` or
+  /// an unusable list throws, the deformer is as if this had not been called.
   [[nodiscard]] DeformResult deform(const ConstraintList& constraints, const std::string& source = "constraints",
                                     Progress& progress = noProgress());
 
-  /// The same as a frame of a drag: where rotations are found, two iterations go on from those of the last call. Calls
-  /// with one list come nearer and nearer to what `deform` finds.
+  /// Deforms as `deform` does, for a frame of a drag. Where rotations are found, this makes two iterations that go on
+  /// from those of the last call. More calls with one list come nearer and nearer to what `deform` finds.
   [[nodiscard]] DeformResult deformFrame(const ConstraintList& constraints, const std::string& source = "constraints",
                                          Progress& progress = noProgress());
 
-  /// The report of `result`, which `deform` gave, with what can be said of each frame of a drag: folds, edges, areas,
-  /// volumes and vertices that overshoot. `deform` leaves that out, as a frame need not wait for it. The result is not
-  /// changed. O(T + rows).
+  /// Returns the report of `result`, which `deform` gave, with what can be said of each frame of a drag. That is folds,
+  /// edges, areas, volumes and vertices that overshoot. `deform` leaves it out, as a frame need not wait for it. The
+  /// result is not changed. O(T + rows).
   [[nodiscard]] Report checked(const DeformResult& result);
 
-  /// The same with what takes longer to look for: faces that are inverted or cross others, targets that are their
-  /// points turned, scaled, shifted or swapped, and regions that stay level. O(T log T). Throws what `progress` throws.
+  /// Returns the same report with what takes longer to look for. That is faces that are inverted or cross others, and
+  /// regions that stay level. It is also targets that are their points turned, scaled, shifted or swapped. O(T log T).
+  /// Throws what `progress` throws.
   [[nodiscard]] Report examined(const DeformResult& result, Progress& progress = noProgress());
 
-  /// The constraints of `deform()`.
+  /// Sets the constraints under which `deform()` deforms.
   void setConstraints(ConstraintList constraints);
-  /// The one of that name, to be changed. Throws `InputError` where there is none.
+  /// Returns the constraint of that name, so that it can be changed. Throws `InputError` where there is none.
   [[nodiscard]] Constraint& constraint(std::string_view name);
-  /// Another place for the point constraint of that name. Throws `InputError` where there is none.
+  /// Gives the point constraint of that name another target. Throws `InputError` where there is none.
   void setTarget(std::string_view name, const Vector3& place);
-  /// Deforms under the constraints that were set, with what was changed in them since.
+  /// Deforms under the constraints that were set, with all changes that were made to them since.
   [[nodiscard]] DeformResult deform(Progress& progress = noProgress());
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// A mesh made ready for deformation: what depends on neither constraints nor weights.
+/// A model is a mesh made ready for deformation. It depends on neither constraints nor weights.
 
 #include <memory>
 #include <string>
@@ -14,37 +14,45 @@ namespace holdfast {
 class SurfaceIndex;
 class SurfaceLocator;
 
+/// A mesh that is checked, triangulated and welded.
 struct Model {
-  /// As it was given, but for the positions of `SolverMesh::withoutPlace`, which are those of a vertex of the surface.
+  /// The mesh as it was given. Only the vertices of `SolverMesh::withoutPlace` get the position of a vertex of the
+  /// surface.
   Mesh mesh;
   Triangulation triangulation;
   SolverMesh solverMesh;
   std::vector<Finding> findings;          ///< what is doubtful about the mesh
-  std::shared_ptr<SurfaceIndex> surface;  ///< of the mesh at rest
+  std::shared_ptr<SurfaceIndex> surface;  ///< the search structure of the mesh at rest
 
-  /// The one for all points of this model, from any thread. The model stays alive and in place as long as it.
+  /// Returns the locator for all points of this model. Any thread may call this. The model must stay alive and in place
+  /// as long as the locator.
   [[nodiscard]] SurfaceLocator locator() const;
 };
 
-/// Triangles at one vertex at most. The row of its Laplacian makes the normal equations dense over all its neighbours:
-/// 8,000 take up to 2 GB and 13 s of a core, and both grow at least with the square.
+/// No more triangles than this may meet at one vertex. The row of its Laplacian makes the normal equations dense over
+/// all its neighbours. 8,000 neighbours take up to 2 GB and 13 s of a core, and both grow at least with the square.
 inline constexpr Index kMostTrianglesAtAVertex = 8000;
 
-/// Checks, triangulates and welds. `source` names the mesh in messages. Throws `InputError` for a corner that is no
-/// vertex, for coordinates of the surface that are not finite, for a mesh without a face of three corners or without a
-/// size that a double can hold, and for vertices of more than 1,000 triangles that come, by the sum of squares, to more
-/// than one of `kMostTrianglesAtAVertex`. Ends of open edges within `weldTolerance` of one another are one unknown; 0:
-/// those in one place are. Throws `InputError` for one above `kLargestWeld` of the diagonal. O(T log T).
+/// Checks, triangulates and welds `mesh`. Messages call it `source`. Ends of open edges within `weldTolerance` of one
+/// another, in model units, become one unknown. With the tolerance 0 only those in one place do. O(T log T).
+///
+/// Throws `InputError` in these cases:
+/// - A corner of a face is no vertex.
+/// - A coordinate of the surface is not finite.
+/// - No face has three corners, or the mesh has no size that a double can hold.
+/// - Too many triangles meet at vertices. The squares of their numbers, at vertices of more than 1,000, sum up to more
+///   than the square of `kMostTrianglesAtAVertex`.
+/// - `weldTolerance` is above `kLargestWeld` of the diagonal.
 [[nodiscard]] Model makeModel(Mesh mesh, const std::string& source = "mesh", double weldTolerance = 0);
 
-/// The largest tolerance of welding, as a share of the diagonal: more would join what was meant to be apart.
+/// The largest tolerance of welding, as a share of the diagonal. A larger one would join what was meant to be apart.
 inline constexpr double kLargestWeld = 0.01;
 
-/// The same of a file, with findings about what is odd in it.
+/// Makes a model of the mesh of a file as `makeModel` does. Adds a finding for each remark about the file.
 [[nodiscard]] Model makeModelOfFile(const MeshDocument& document, const std::string& source, double weldTolerance = 0);
 
-/// Those of the triangulation, in its order and over unknowns; where vertices were welded, one may name an unknown
-/// twice.
+/// Returns the triangles of the triangulation over unknowns, in its order. Where vertices were welded, a triangle may
+/// name an unknown twice.
 [[nodiscard]] std::vector<Triangle> trianglesOverUnknowns(const Model& model);
 
 }  // namespace holdfast

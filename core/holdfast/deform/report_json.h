@@ -1,5 +1,6 @@
 #pragma once
-/// The report file (JSON, version 1), and its constraints as a table (CSV). docs/formats.md describes every key.
+/// These functions write a report as a file (JSON, version 1), and its constraints as a table (CSV). docs/formats.md
+/// describes every key.
 
 #include <string>
 
@@ -7,12 +8,13 @@
 
 namespace holdfast {
 
-/// The text of a report file, indented, every double in its shortest exact form. Numbers that were not computed are
-/// null.
+/// Returns the text of a report file, indented. Every double has its shortest exact form. Numbers that were not
+/// computed are null.
 [[nodiscard]] std::string reportToJson(const Report& report);
 
-/// A header and a row for each constraint, in the order of the list; fields as RFC 4180 has them, lines end in LF,
-/// every double in its shortest exact form. Numbers that were not computed are empty fields.
+/// Returns a table with a header and a row for each constraint, in the order of the list. Fields are quoted as RFC 4180
+/// says, and lines end in LF. Every double has its shortest exact form. Numbers that were not computed are empty
+/// fields.
 [[nodiscard]] std::string reportToCsv(const Report& report);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// Mesh files in and out: OBJ, PLY, OFF, STL by the extension of the name.
+/// These functions read and write mesh files. The extension of the name says the format: OBJ, PLY, OFF or STL.
 
 #include <filesystem>
 #include <span>
@@ -9,25 +9,33 @@
 
 namespace holdfast {
 
-/// The extensions that `readMesh` and `serializeMesh` know, lower case with the dot.
+/// Returns the extensions that `readMesh` and `serializeMesh` know, in lower case with the dot.
 [[nodiscard]] std::span<const std::string_view> meshExtensions();
 
-/// Reads a mesh file; the extension (any case) names the format. `known` are the extensions that the message about
-/// another one lists. Throws `InputError` with line (text) or byte offset (binary) where the file is missing,
-/// truncated, malformed, or refers to vertices that it does not have. Non-finite coordinates are read as they are.
-/// Memory is bounded by the size of the file, whatever counts its header claims. What cannot be a text is refused
-/// before it is read whole.
+/// Reads a mesh file. The extension, in any case, names the format. The message about another extension lists those in
+/// `known`. Coordinates that are not finite are read as they are. Throws `InputError` where the file is missing,
+/// truncated or malformed, or refers to vertices that it does not have. The error has the line (text) or the byte
+/// offset (binary). The size of the file bounds the memory, whatever counts its header claims. A file that should be a
+/// text and cannot be one is refused before it is read whole.
+///
+///     const MeshDocument document = readMesh("bracket.ply");
+///     const Model model = makeModelOfFile(document, "bracket.ply");
+///     const DeformResult result = deform(model, constraints);
+///     for (const std::string& note : writeMesh("deformed.ply", document, result.positions)) std::cerr << note << '\n';
 [[nodiscard]] MeshDocument readMesh(const std::filesystem::path& path,
                                     std::span<const std::string_view> known = meshExtensions());
 
-/// The contents of a mesh file of the format named by `extension`, with `positions` (vertexCount x 3) in place of the
-/// document's own. In the document's own format all else is kept (`MeshSource::withPositions`); in another one only
-/// positions and faces are written, and a note says so. Vertices whose coordinates are not finite in the document keep
-/// them. Throws `OutputError` for an extension that is not known.
+/// Returns the contents of a mesh file with `positions` (vertexCount x 3) in place of the document's own. `extension`
+/// names the format. In the document's own format all else is kept (`MeshSource::withPositions`). In another one only
+/// positions and faces are written, and a note says what is lost. Vertices whose coordinates are not finite in the
+/// document keep them. Throws `OutputError` for an extension that is not known, and where a coordinate is too large for
+/// the format.
 [[nodiscard]] Serialized serializeMesh(const MeshDocument& document, const Positions& positions,
                                        std::string_view extension);
 
-/// Writes that to `path`, whole or not at all. Returns the notes on what could not be kept. Throws `OutputError`.
+/// Writes what `serializeMesh` returns to `path`, whole or not at all. The extension of `path` names the format.
+/// Returns the notes on what could not be kept. Throws `OutputError` as `serializeMesh` does, and where the file cannot
+/// be written.
 std::vector<std::string> writeMesh(const std::filesystem::path& path, const MeshDocument& document,
                                    const Positions& positions);
 

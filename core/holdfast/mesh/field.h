@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers over the points or the faces of a mesh.
+/// A field is numbers over the points or the faces of a mesh.
 
 #include <string>
 #include <vector>
@@ -11,8 +11,8 @@ namespace holdfast {
 /// One array over the points or the faces of a mesh.
 struct Field {
   std::string name;            ///< unique among its kind, not empty
-  Index components = 1;        ///< numbers a point or face: 1 for scalars, 3 for vectors
-  std::vector<double> values;  ///< those of one point or face side by side: `components` times their count
+  Index components = 1;        ///< how many numbers each point or face has: 1 for scalars, 3 for vectors
+  std::vector<double> values;  ///< `components` numbers for each point or face, side by side
 };
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// A polygon mesh as a file holds it: positions and faces, nothing derived.
+/// A polygon mesh is positions and faces as a file holds them. Nothing in it is derived.
 
 #include <cassert>
 #include <initializer_list>
@@ -13,14 +13,14 @@
 
 namespace holdfast {
 
-/// F x 3, the vertices of each triangle.
+/// F x 3: each row has the vertices of a triangle.
 using Triangles = Eigen::Matrix<Index, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// Faces of any number of corners, in file order. Face f has the vertices `polygons[f]`, in the file's order.
+/// Faces with any number of corners, in file order. Face f has the vertices `polygons[f]`, in the file's order.
 class Polygons {
  public:
   Polygons() = default;
-  /// A triangle for each row of `triangles`, F x 3.
+  /// Makes a triangle of each row of `triangles`, F x 3. Throws `std::length_error` as `add` does.
   explicit Polygons(const Eigen::Ref<const Triangles>& triangles)
   {
     reserve(triangles.rows(), triangles.size());
@@ -29,9 +29,10 @@ class Polygons {
 
   [[nodiscard]] Index size() const noexcept { return static_cast<Index>(starts_.size()) - 1; }
   [[nodiscard]] bool isEmpty() const noexcept { return size() == 0; }
-  /// Corners of all faces together.
+  /// Returns how many corners all faces have together.
   [[nodiscard]] Index cornerCount() const noexcept { return static_cast<Index>(corners_.size()); }
 
+  /// Returns the vertices of `face`, which is at least 0 and less than `size()`.
   [[nodiscard]] std::span<const int> operator[](Index face) const
   {
     assert(face >= 0 && face < size());
@@ -39,21 +40,23 @@ class Polygons {
     return {first, corners_.begin() + starts_[face + 1]};
   }
 
-  /// Whether `face` has three corners or more.
+  /// Tells whether `face` has three corners or more.
   [[nodiscard]] bool isSurface(Index face) const { return (*this)[face].size() >= 3; }
 
-  /// Where the corners of each face begin among `corners()`, and where those of the last one end.
+  /// Returns the places in `corners()` where the corners of each face begin, and the place where those of the last end.
   [[nodiscard]] std::span<const int> starts() const noexcept { return starts_; }
-  /// Of all faces, one face after the other.
+  /// Returns the corners of all faces, one face after the other.
   [[nodiscard]] std::span<const int> corners() const noexcept { return corners_; }
 
+  /// Takes memory for so many faces with so many corners in all.
   void reserve(Index faces, Index corners)
   {
     starts_.reserve(faces + 1);
     corners_.reserve(corners);
   }
 
-  /// Throws `std::length_error` for an id, or a number of corners, of more than 32 bits.
+  /// Adds a face with these vertices. Throws `std::length_error` for an id, or a number of corners, of more than 32
+  /// bits.
   template <std::ranges::sized_range Range>
   void add(const Range& vertices)
   {
@@ -77,8 +80,14 @@ class Polygons {
   std::vector<int> corners_;
 };
 
-/// Positions and faces as in the file. Every corner is a valid vertex id (readers guarantee it, `makeModel` refuses
-/// others); nothing else is promised. Faces of fewer than three corners keep their number and are no surface.
+/// Positions and faces as in the file. Every corner is a valid vertex id: readers guarantee it, and `makeModel` refuses
+/// others. Nothing else is promised. Faces with fewer than three corners keep their number and are no surface.
+///
+///     Mesh square;
+///     square.positions.resize(4, 3);
+///     square.positions << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
+///     square.faces.add({0, 1, 2, 3});
+///     const Model model = makeModel(square, "square");
 struct Mesh {
   Positions positions;
   Polygons faces;

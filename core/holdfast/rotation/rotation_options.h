@@ -1,34 +1,44 @@
 #pragma once
 /// \file
-/// Where the rotations of the surface come from.
+/// These options say where the rotations of the surface come from.
 
 #include <string_view>
 
 namespace holdfast {
 
+/// The rotations come from constraints, or are found with the shape.
 enum class RotationSource {
-  Given,       ///< the rotation field of those that constraints give, (25) to (29)
-  Found,       ///< found with the shape: each edge is to keep its length
-  FoundSmooth  ///< the same, and the detail is kept as well: smooth also beside a single point
+  Given,       ///< they are the rotation field between those that constraints give, (25) to (29)
+  Found,       ///< they are found with the shape, so that each edge keeps its length as nearly as it can
+  FoundSmooth  ///< the same, and the detail is kept as well: the surface is smooth also beside a single point
 };
 
-/// The name in files and options: "given", "found", "found-smooth".
+/// Returns the name of the source in files and options: "given", "found", "found-smooth".
 [[nodiscard]] std::string_view name(RotationSource source);
 
-/// What the length is called that changes of found rotations are a share of: "diagonal", or "diameter".
+/// Returns the name of the length of which `RotationOptions::change` is a share: "diagonal", or "diameter" with
+/// `FoundSmooth`.
 [[nodiscard]] std::string_view sizeName(RotationSource source);
 
-/// A picture of 2,000 pixels shows the whole mesh; a vertex that moves by less than a fiftieth of a pixel does not move
-/// there. What is left to go is some ten to a hundred times the last change.
+/// The default of `RotationOptions::change`. Where a picture of 2,000 pixels shows the whole mesh, this is a fiftieth
+/// of a pixel. A vertex that moves by less does not move there. What is left to go is some ten to a hundred times the
+/// last change.
 inline constexpr double kFoundChange = 1e-5;
 
-/// Where rotations are found beyond this, a local minimum is as flat as rounding, or there is none.
+/// The default of `RotationOptions::mostIterations`. Where more iterations are needed, a local minimum is as flat as
+/// rounding, or there is none.
 inline constexpr int kMostIterations = 1000;
 
+/// The source of the rotations, and when rotations that are found are good enough.
+///
+///     DeformOptions options;
+///     options.rotations.source = RotationSource::FoundSmooth;
+///     options.rotations.change = 1e-4;  // a preview
+///     const DeformResult result = deform(model, constraints, "constraints", options);
 struct RotationOptions {
   RotationSource source = RotationSource::Given;
   /// Rotations that are found are good enough when an iteration moves no vertex by more than this share of the diagonal
-  /// of the bounding box; with `FoundSmooth` of the diameter of the smallest sphere.
+  /// of the bounding box. With `FoundSmooth` it is a share of the diameter of the smallest sphere around the mesh.
   double change = kFoundChange;
   int mostIterations = kMostIterations;
 

@@ -1,37 +1,46 @@
 #pragma once
 /// \file
-/// Which solver, on which library.
+/// These options say which solver is used, on which library.
 
 #include <string_view>
 
 namespace holdfast {
 
-/// Who does the numerical work.
+/// A backend does the numerical work.
 enum class Backend {
   Holdfast,  ///< our own Cholesky factorisation; what it does not do is done by SuiteSparse or, without that, by Eigen
   Cholmod,   ///< SuiteSparse: CHOLMOD, SPQR, UMFPACK
   Eigen
 };
 
-/// The name in files and options: "holdfast", "cholmod", "eigen".
+/// Returns the name of the backend in files and options: "holdfast", "cholmod", "eigen".
 [[nodiscard]] std::string_view name(Backend backend);
 
-/// Whether it is part of this program: SuiteSparse may be left out.
+/// Tells whether the backend is part of this program. SuiteSparse may be left out.
 [[nodiscard]] bool isBuilt(Backend backend);
 
+/// A solver meets the constraints in one of these ways.
 enum class SolverKind {
-  Hard,     ///< constraints eliminated, (11) to (21): exact
-  Soft,     ///< soft constraints as weighted rows, (7) and (8): for comparison
-  Lagrange  ///< constraints by Lagrange multipliers, end of section 3.2: for comparison
+  Hard,     ///< it eliminates the constraints and meets them exactly, (11) to (21)
+  Soft,     ///< for comparison: it takes the constraints as weighted rows, (7) and (8)
+  Lagrange  ///< for comparison: it meets the constraints by Lagrange multipliers, end of section 3.2
 };
 
-/// The name in files and options: "hard", "soft", "lagrange".
+/// Returns the name of the kind in files and options: "hard", "soft", "lagrange".
 [[nodiscard]] std::string_view name(SolverKind kind);
 
+/// The solver, and the numbers that it needs.
+///
+///     DeformOptions options;
+///     options.solver.kind = SolverKind::Soft;
+///     options.solver.softWeight = 50;
+///     if (isBuilt(Backend::Cholmod)) options.solver.backend = Backend::Cholmod;
+///     const DeformResult compromise = deform(model, constraints, "constraints", options);
 struct SolverOptions {
   SolverKind kind = SolverKind::Hard;
   Backend backend = Backend::Holdfast;
-  /// w of soft constraints, (7) and (8), for models measured in diameters of the smallest sphere around them
+  /// The weight w of soft constraints, (7) and (8). It has to be positive. It is for models measured in diameters of
+  /// the smallest sphere around them.
   double softWeight = 5;
 
   friend bool operator==(const SolverOptions&, const SolverOptions&) = default;
