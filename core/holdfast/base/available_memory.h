@@ -1,5 +1,5 @@
 #pragma once
-/// Memory that is asked for before it is taken: Linux promises more than there is, and ends programs that use it.
+/// Memory that is asked for before it is taken. Linux promises more than there is, and ends programs that use it.
 
 #include <cstdint>
 #include <new>
@@ -19,12 +19,12 @@ class LackOfMemory : public std::bad_alloc {
   std::string message_;
 };
 
-/// Bytes of memory and swap that the machine has free; the largest number where the system does not say. Limits of a
-/// container are not seen.
+/// Returns how many bytes of memory and swap the machine has free. Where the system does not say, it returns the
+/// largest number. Limits of a container are not seen.
 [[nodiscard]] std::uint64_t availableMemory();
 
-/// While one lives, `returnFreeMemory` gives the memory of the process that is free back to the system, where the
-/// allocator can do that. Else it is kept: what is computed again and again would have to wait for it.
+/// While one of these lives, `returnFreeMemory` gives free memory of the process back to the system, where the
+/// allocator can do that. Else the memory is kept: what is computed again and again would have to wait for it.
 class LeastMemory {
  public:
   LeastMemory() noexcept;

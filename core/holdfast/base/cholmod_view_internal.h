@@ -9,10 +9,10 @@
 
 namespace holdfast {
 
-/// What of a matrix is stored; the values are CHOLMOD's.
+/// The part of a matrix that is stored. The values are CHOLMOD's.
 enum class StoredPart : int { All = 0, LowerTriangle = -1 };
 
-/// A view of the compressed `matrix`; owns nothing. O(1).
+/// Returns a view of the compressed `matrix`. The view owns nothing. O(1).
 template <class StorageIndex>
 [[nodiscard]] cholmod_sparse cholmodView(Eigen::SparseMatrix<double, Eigen::ColMajor, StorageIndex>& matrix,
                                          StoredPart part)

@@ -9,8 +9,8 @@
 
 namespace holdfast {
 
-/// The elements 0 .. size-1, each at first a set of its own. The representative of a set is its smallest element, so
-/// that numbering by representatives does not depend on the order of `unite` calls. Nearly O(1) a call.
+/// The elements 0 .. size-1, each at first a set of its own. The smallest element of a set represents it. So numbering
+/// by representatives does not depend on the order of `unite` calls. Each call costs nearly O(1).
 class DisjointSets {
  public:
   explicit DisjointSets(Index size) : parent_(static_cast<std::size_t>(size))
@@ -35,7 +35,7 @@ class DisjointSets {
     parent_[b] = static_cast<int>(a);
   }
 
-  /// The members of each group become one set.
+  /// Makes the members of each group one set.
   void uniteEach(const std::vector<std::vector<Index>>& groups)
   {
     for (const std::vector<Index>& group : groups)

@@ -9,24 +9,26 @@
 
 namespace holdfast {
 
-/// Keeps what is freed for what is taken next, in one heap for all threads: up to a third of a decomposition is to take
-/// new pages. For the main function of a program that computes again and again.
+/// Keeps freed memory for what is taken next, in one heap for all threads. Taking new pages is up to a third of a
+/// decomposition. The main function of a program that computes again and again calls this.
 void keepFreedMemory() noexcept;
 
-/// Keeps the memory for another array of this size, but lets the system take it; frees it where `LeastMemory` lives.
+/// Keeps the memory for another array of this size, but lets the system take it. Frees it while a `LeastMemory` lives.
 struct FreePages {
   std::size_t bytes = 0;
   void operator()(double* numbers) const noexcept;
 };
 
-/// In pages of 2 MiB where the system has them: a walk through all of it would wait for the table of small pages.
+/// An array in pages of 2 MiB where the system has them. With small pages, a walk through all of it would wait for
+/// their table.
 using LargeArray = std::unique_ptr<double[], FreePages>;
 
-/// Any numbers. New pages are taken where something is written first: that may cost more than to compute it.
+/// Makes an array that holds any numbers. New pages are taken where something is written first. That may cost more than
+/// to compute it.
 [[nodiscard]] LargeArray largeArray(std::size_t count);
 
-/// Arrays that come and go, on any threads. What is given back is taken again, the lowest place first, so that few
-/// pages are ever written.
+/// Memory for arrays that come and go, on any threads. What is given back is taken again, the lowest place first. So
+/// few pages are ever written.
 class ReusedMemory {
   struct GiveBack {
     ReusedMemory* memory = nullptr;
@@ -35,16 +37,16 @@ class ReusedMemory {
   };
 
  public:
-  /// Any numbers. To be gone before the memory is.
+  /// An array that holds any numbers. It must be gone before the memory is.
   using Array = std::unique_ptr<double[], GiveBack>;
 
-  /// Will have place for so many numbers at once, and takes more memory where they do not suffice.
+  /// Makes place for so many numbers at once. The memory takes more where that does not suffice.
   explicit ReusedMemory(std::size_t count) : regionSize_(count) {}
 
-  /// O(gaps).
+  /// Takes an array from the memory. O(gaps).
   [[nodiscard]] Array take(std::size_t count);
 
-  /// Gives whole pages that are not taken back to the system while `LeastMemory` lives.
+  /// Gives whole pages that are not in use back to the system while a `LeastMemory` lives.
   void returnGaps();
 
  private:

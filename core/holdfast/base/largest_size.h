@@ -7,7 +7,7 @@
 
 namespace holdfast {
 
-/// The largest of `ofRows(first, count)`, none negative, over blocks of rows; NaN where one is NaN.
+/// Returns the largest of `ofRows(first, count)` over blocks of rows, and NaN where one is NaN. None may be negative.
 template <class OfRows>
 [[nodiscard]] double largestOfBlocks(Index rows, const OfRows& ofRows)
 {
@@ -18,7 +18,7 @@ template <class OfRows>
   return ofBlocks.maxCoeff<Eigen::PropagateNaN>();
 }
 
-/// The largest of |x_ij|: 0 without rows, NaN where an entry is none.
+/// Returns the largest of |x_ij|: 0 without rows, and NaN where an entry is NaN.
 template <class Matrix>
 [[nodiscard]] double largestSize(const Eigen::MatrixBase<Matrix>& x)
 {
@@ -27,7 +27,7 @@ template <class Matrix>
   });
 }
 
-/// The largest of |scale_i x_ij|.
+/// Returns the largest of |scale_i x_ij|.
 template <class Matrix>
 [[nodiscard]] double largestSize(const Eigen::VectorXd& scale, const Eigen::MatrixBase<Matrix>& x)
 {

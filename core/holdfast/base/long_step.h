@@ -1,5 +1,5 @@
 #pragma once
-/// Work that cannot be stopped at any moment, such as a factorisation: the caller can stop waiting for it.
+/// Work that cannot be stopped at any moment, such as a factorisation. The caller can stop waiting for it.
 
 #include <atomic>
 #include <chrono>
@@ -13,25 +13,25 @@
 
 namespace holdfast {
 
-/// Runs `work`, which does not throw, on a thread of its own. The thread may outlive its owner inside a factorisation:
-/// the program waits for it at its end, so that none runs while its memory is torn down. Threads that have ended are
-/// joined at the next call, so that a window that opens one mesh after another does not collect their stacks.
+/// Runs `work` on a thread of its own. `work` must not throw. The thread may outlive its owner inside a factorisation.
+/// The program waits for it at its end, so that none runs while its memory is torn down. The next call joins threads
+/// that have ended. So a window that opens one mesh after another does not collect their stacks.
 void startBackgroundThread(std::function<void()> work);
 
-/// Thrown by work whose result is no longer wanted.
+/// Work throws this when its result is no longer wanted.
 class LeftBehind : public std::exception {};
 
 /// What the work of a step and those who wait for it tell each other. Any thread may call it.
 class StepState {
  public:
-  /// Whether the result is no longer wanted. To be asked now and then by work that can end early.
+  /// Tells whether the result is no longer wanted. Work that can end early asks this now and then.
   [[nodiscard]] bool isLeftBehind() const noexcept { return phase_ == Phase::LeftBehind; }
-  /// Throws `LeftBehind` then.
+  /// Throws `LeftBehind` where the result is no longer wanted.
   void stopIfLeftBehind() const
   {
     if (isLeftBehind()) throw LeftBehind();
   }
-  /// The share of the operations of the step, from 0 to 1.
+  /// Sets the share of the operations of the step that are done, from 0 to 1.
   void setShare(double share) noexcept { share_ = share; }
   [[nodiscard]] double share() const noexcept { return share_; }
 
@@ -43,11 +43,12 @@ class StepState {
   std::atomic<double> share_ = 0;
 };
 
-/// Of the step that the calling thread works for; of none, which runs, on another thread.
+/// Returns the state of the step that the calling thread works for. On another thread it returns that of no step, which
+/// counts as running.
 [[nodiscard]] std::shared_ptr<StepState> currentStep();
 
-/// Runs one thing at most, on a thread of its own and to its end. Where this is destroyed earlier, the thread is left
-/// behind: only the end of the program waits for it.
+/// Runs one thing at most, on a thread of its own and to its end. When this object is destroyed earlier, the thread is
+/// left behind. Then only the end of the program waits for it.
 class StepThread {
  public:
   StepThread() = default;
@@ -55,19 +56,19 @@ class StepThread {
   StepThread(const StepThread&) = delete;
   StepThread& operator=(const StepThread&) = delete;
 
-  /// Starts `work`, which does not throw. Waits until at most one thread that was left behind still runs, so that
-  /// memory and cores are not used up. `progress` may throw meanwhile; nothing has been started then.
+  /// Starts `work`, which must not throw. Waits until at most one thread that was left behind still runs, so that
+  /// memory and cores are not used up. `progress` may throw meanwhile; then nothing has been started.
   void start(std::function<void()> work, Progress& progress);
 
-  /// Of the work that was started.
+  /// Returns the share of the work that was started.
   [[nodiscard]] double share() const noexcept { return state_->share(); }
 
  private:
   std::shared_ptr<StepState> state_;
 };
 
-/// One result that takes long. The work begins when it is asked for, or before, and holds all that it needs: it may
-/// outlive this.
+/// One result that takes long. The work begins when somebody asks for the result, or before. It holds all that it
+/// needs, because it may outlive this.
 template <class Result>
 class LongStep {
  public:
@@ -79,8 +80,8 @@ class LongStep {
 
   [[nodiscard]] bool isDone() const { return result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
 
-  /// Begins the work, if it has not begun, after a call of `prepare` on its thread. `progress` may throw; nothing has
-  /// begun then.
+  /// Begins the work, if it has not begun. It calls `prepare` on the work's thread first. `progress` may throw; then
+  /// nothing has begun.
   void start(Progress& progress, void (*prepare)() = nullptr)
   {
     const auto work = [task = task_, prepare] {
@@ -91,8 +92,8 @@ class LongStep {
     task_.reset();
   }
 
-  /// Waits for the result; throws what the work throws. `progress` may throw meanwhile, within hundredths of a second:
-  /// the work goes on then, and the next call waits for the rest of it.
+  /// Waits for the result and throws what the work throws. `progress` may throw meanwhile, within hundredths of a
+  /// second. Then the work goes on, and the next call waits for the rest of it.
   const Result& result(Progress& progress)
   {
     start(progress);

@@ -7,8 +7,8 @@
 
 namespace holdfast {
 
-/// While this lives, results below 1e-308 are zero on this thread and in its loops (`parallelFor`), where the processor
-/// can do that: numbers between that and zero would take it a hundred times as long.
+/// While this lives, results below 1e-308 are zero, where the processor can do that. This holds on the calling thread
+/// and in its loops (`parallelFor`). Numbers between that and zero would take the processor a hundred times as long.
 class NoSubnormals {
  public:
   NoSubnormals()

@@ -1,5 +1,5 @@
 #pragma once
-/// Loops whose turns do not depend on one another, over all cores.
+/// Loops over all cores. Their turns do not depend on one another.
 
 #include <algorithm>
 #include <atomic>
@@ -13,7 +13,8 @@
 
 namespace holdfast {
 
-/// Threads that work at the same time, at most: one for each core. More than a few find no more memory to read.
+/// Returns how many threads work at the same time, at most: one for each core, but no more than a few. More find no
+/// more memory to read.
 [[nodiscard]] inline Index threadCount()
 {
   constexpr Index kMost = 8;
@@ -23,13 +24,13 @@ namespace holdfast {
 
 using ThreadWork = std::function<void(Index thread)>;
 
-/// Calls `work`, which must not throw, on up to `count` threads: the calling one as number 0, and others that it has
-/// for this as long as it lives, with its priority of when they were first needed.
+/// Calls `work`, which must not throw, on up to `count` threads. The calling thread is number 0. It has the others for
+/// this as long as it lives. They have the priority that it had when they were first needed.
 void runOnThreads(Index count, const ThreadWork& work);
 
-/// Calls `work(k)`, or `work(k, thread)`, once for each k of 0 .. count - 1, on up to `threadCount()` threads, the
-/// calling one among them as number 0. Which thread takes which k is left open: results must not depend on it. Throws
-/// one of the exceptions of `work`, after all threads have ended.
+/// Calls `work(k)`, or `work(k, thread)`, once for each k of 0 .. count - 1, on up to `threadCount()` threads. The
+/// calling thread is number 0. Which thread takes which k is left open: results must not depend on it. Throws one of
+/// the exceptions of `work`, after all threads have ended.
 template <class Work>
 void parallelFor(Index count, const Work& work)
 {
@@ -56,7 +57,7 @@ void parallelFor(Index count, const Work& work)
     if (error) std::rethrow_exception(error);
 }
 
-/// The same for turns that take less time than it takes to hand them out.
+/// Does what `parallelFor` does, for turns that take less time than it takes to hand them out.
 template <class Work>
 void parallelBlocks(Index count, const Work& work)
 {
@@ -66,9 +67,9 @@ void parallelBlocks(Index count, const Work& work)
   });
 }
 
-/// Steps one after the other: `lead(step)` on the calling thread, then `share(step, part)`, once for each of its
-/// `partCount(step)` parts, on all threads. For steps of microseconds: threads do not sleep until the next one, and
-/// none waits for another that has not taken a part. Nothing may throw.
+/// Takes steps one after the other. It calls `lead(step)` on the calling thread. Then it calls `share(step, part)`,
+/// once for each of `partCount(step)` parts, on all threads. It is for steps of microseconds. Threads do not sleep
+/// until the next step, and none waits for another that has not taken a part. Nothing may throw.
 template <class Lead, class PartCount, class Share>
 void leadSteps(Index steps, const Lead& lead, const PartCount& partCount, const Share& share)
 {

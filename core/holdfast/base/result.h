@@ -1,11 +1,11 @@
 #pragma once
-/// What a step that can fail gives back.
+/// The result of a step that can fail.
 
 #include <string>
 
 namespace holdfast {
 
-/// A value, or the reason why there is none: then `failure` is not empty and `value` means nothing.
+/// A value, or the reason why there is none. In the latter case `failure` is not empty and `value` means nothing.
 template <class T>
 struct Result {
   T value{};

@@ -1,6 +1,6 @@
 #pragma once
-/// Sparse matrices over all cores, with the same bits for any number of them: made column by column, and times three
-/// columns.
+/// Sparse matrices over all cores, with the same bits for any number of them. These functions make them column by
+/// column and multiply them by three columns.
 
 #include <algorithm>
 #include <numeric>
@@ -12,12 +12,12 @@
 
 namespace holdfast {
 
-/// Entries of neighbouring columns (of a matrix by rows: rows).
+/// The entries of neighbouring columns, or of neighbouring rows of a matrix by rows.
 struct SparseEntries {
   std::vector<int> places;
   std::vector<double> values;
 
-  /// For `columns`, when the first `done` of them are there.
+  /// Reserves memory for `columns` columns when the first `done` of them are there.
   void reserve(Index done, Index columns)
   {
     const auto expected = static_cast<std::size_t>(1.05 * static_cast<double>(columns) / static_cast<double>(done) *
@@ -42,7 +42,7 @@ class ColumnSum {
     value_[place] += value;
   }
 
-  /// Adds the k-th column of M (row of a matrix by rows) times `factor`, `shift` places further on.
+  /// Adds the k-th column of M times `factor`, `shift` places further on. For a matrix by rows it adds the k-th row.
   template <class Matrix>
   void addColumn(const Matrix& M, Index k, Index shift = 0, double factor = 1)
   {
@@ -70,7 +70,7 @@ class ColumnSum {
   std::vector<int> places_;
 };
 
-/// The matrix whose k-th column (row of a `SparseRows`) is what `fill(k, sum)` adds to an empty `ColumnSum`.
+/// Makes the matrix whose k-th column (row of a `SparseRows`) is what `fill(k, sum)` adds to an empty `ColumnSum`.
 template <class Matrix, class Fill>
 Matrix assembled(Index rows, Index columns, const Fill& fill)
 {
@@ -100,9 +100,9 @@ Matrix assembled(Index rows, Index columns, const Fill& fill)
   return result;
 }
 
-/// The matrix of the entries that `forEachEntry(part, add)` passes to `add(row, column, value)`, no place twice; those
-/// of each column (row of a `SparseRows`) come part after part, and in that order. Each part is called twice, to count
-/// and to add, beside the others.
+/// Makes the matrix of the entries that `forEachEntry(part, add)` passes to `add(row, column, value)`. No place may
+/// come twice. The entries of each column (row of a `SparseRows`) come part after part, in the order in which they are
+/// passed. Each part is called twice, to count and to add, beside the others.
 template <class Matrix, class ForEachEntry>
 Matrix sparseMatrix(Index rows, Index columns, Index parts, const ForEachEntry& forEachEntry)
 {
@@ -129,7 +129,7 @@ Matrix sparseMatrix(Index rows, Index columns, Index parts, const ForEachEntry& 
   return result;
 }
 
-/// M by rows. O(entries).
+/// Returns M by rows. O(entries).
 [[nodiscard]] inline SparseRows byRows(const SparseMatrix& M)
 {
   const Index parts = threadCount();
@@ -139,7 +139,7 @@ Matrix sparseMatrix(Index rows, Index columns, Index parts, const ForEachEntry& 
   });
 }
 
-/// M N. O(multiplications).
+/// Returns M N. O(multiplications).
 [[nodiscard]] inline SparseMatrix product(const SparseMatrix& M, const SparseMatrix& N)
 {
   return assembled<SparseMatrix>(M.rows(), N.cols(), [&](Index k, ColumnSum& sum) {
@@ -148,7 +148,7 @@ Matrix sparseMatrix(Index rows, Index columns, Index parts, const ForEachEntry& 
   });
 }
 
-/// diag(scale) M. O(entries).
+/// Returns diag(scale) M. O(entries).
 [[nodiscard]] inline SparseMatrix scaledRows(const Eigen::VectorXd& scale, SparseMatrix M)
 {
   parallelBlocks(M.cols(), [&](Index k) {
@@ -157,7 +157,7 @@ Matrix sparseMatrix(Index rows, Index columns, Index parts, const ForEachEntry& 
   return M;
 }
 
-/// The sum of the k-th row of M (column where M is by columns) times the rows of x that it names.
+/// Returns the sum of the k-th row of M (column where M is by columns) times the rows of x that it names.
 template <class Matrix>
 Eigen::RowVector3d gathered(const Matrix& M, Index k, const Columns3& x)
 {
@@ -166,7 +166,7 @@ Eigen::RowVector3d gathered(const Matrix& M, Index k, const Columns3& x)
   return sum;
 }
 
-/// A matrix by columns and by rows: products with it and with its transpose are sums for each row of the result.
+/// A matrix by columns and by rows. Products with it and with its transpose are sums for each row of the result.
 class TwoWayMatrix {
  public:
   TwoWayMatrix() = default;
@@ -175,21 +175,21 @@ class TwoWayMatrix {
   [[nodiscard]] const SparseMatrix& columns() const noexcept { return columns_; }
   [[nodiscard]] const SparseRows& rows() const noexcept { return rows_; }
 
-  /// C x.
+  /// Returns C x.
   [[nodiscard]] Columns3 times(const Columns3& x) const
   {
     Columns3 result(rows_.rows(), 3);
     parallelBlocks(result.rows(), [&](Index k) { result.row(k) = gathered(rows_, k, x); });
     return result;
   }
-  /// C^T f.
+  /// Returns C^T f.
   [[nodiscard]] Columns3 transposeTimes(const Columns3& f) const
   {
     Columns3 result(columns_.cols(), 3);
     parallelBlocks(result.rows(), [&](Index k) { result.row(k) = gathered(columns_, k, f); });
     return result;
   }
-  /// f - C x, each number rounded as the difference of f and C x.
+  /// Returns f - C x, each number rounded as the difference of f and C x.
   [[nodiscard]] Columns3 residual(const Columns3& f, const Columns3& x) const
   {
     Columns3 result(rows_.rows(), 3);
@@ -197,8 +197,8 @@ class TwoWayMatrix {
     return result;
   }
 
-  /// The matrix of the normal equations: the lower triangle of C^T C, each column with ascending rows. O(sum of squares
-  /// of the row lengths).
+  /// Returns the matrix of the normal equations: the lower triangle of C^T C, each column with ascending rows. O(sum of
+  /// squares of the row lengths).
   [[nodiscard]] SparseMatrix gramLower() const
   {
     const int* const column = rows_.innerIndexPtr();

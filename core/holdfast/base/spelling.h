@@ -7,7 +7,8 @@
 
 namespace holdfast {
 
-/// The word of `known` that `word` was probably meant to be: letter case aside, about one letter in three may differ.
+/// Returns the word of `known` that `word` was probably meant to be. Letter case aside, about one letter in three may
+/// differ.
 [[nodiscard]] std::optional<std::string_view> closestSpelling(std::string_view word,
                                                               std::span<const std::string_view> known);
 

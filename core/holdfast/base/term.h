@@ -21,7 +21,8 @@ struct Term {
   friend auto operator<=>(const Term&, const Term&) = default;
 };
 
-/// A combination that seldom has more than three terms: those are in place, and a copy of it takes no memory elsewhere.
+/// A combination that seldom has more than three terms. Up to three are in place, so that a copy takes no memory
+/// elsewhere.
 class FewTerms {
  public:
   FewTerms() = default;

@@ -8,7 +8,7 @@
 
 namespace holdfast {
 
-/// The one index type: vertices, faces, rows, columns. Signed; ids count from 0 in file order.
+/// The one index type, for vertices, faces, rows and columns. It is signed; ids count from 0 in file order.
 using Index = Eigen::Index;
 
 /// A place or a displacement in space, in model units.
@@ -21,8 +21,8 @@ using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// n x 3: three right-hand sides or three solutions, side by side, so that a matrix is read once for all three.
 using Columns3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// Eigen's sparse matrix with 32-bit inner indices, as CHOLMOD and SPQR take them: no more than 2^31 - 1 non-zeros. One
-/// that is moved from is empty; Eigen 3.4 itself copies.
+/// Eigen's sparse matrix with 32-bit inner indices, as CHOLMOD and SPQR take them: no more than 2^31 - 1 non-zeros. A
+/// matrix that is moved from is empty. Eigen 3.4 itself would copy it.
 template <int Order>
 class MovableSparse : public Eigen::SparseMatrix<double, Order, int> {
   using Base = Eigen::SparseMatrix<double, Order, int>;
@@ -42,10 +42,10 @@ class MovableSparse : public Eigen::SparseMatrix<double, Order, int> {
   ~MovableSparse() = default;
 };
 
-/// By columns.
+/// A sparse matrix by columns.
 using SparseMatrix = MovableSparse<Eigen::ColMajor>;
 
-/// By rows.
+/// A sparse matrix by rows.
 using SparseRows = MovableSparse<Eigen::RowMajor>;
 
 }  // namespace holdfast

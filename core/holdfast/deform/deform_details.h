@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a deformation was computed from, and what its report is made of where somebody looks at it.
+/// What a deformation was computed from, and what its report is made of when somebody looks at it.
 
 #include <future>
 #include <memory>
@@ -14,17 +14,17 @@
 
 namespace holdfast {
 
-/// What a report says of a constraint whatever becomes of it.
+/// What a report says of a constraint, whatever becomes of it.
 struct ConstraintLabel {
   std::string name;
   std::string_view type;
   bool isEnabled = true;
-  bool hasTarget = false;  ///< of its own, which can be another one: points and offsets
+  bool hasTarget = false;  ///< it has its own target, which can be another one: points and offsets
 };
 
 using ConstraintLabels = std::vector<ConstraintLabel>;
 
-/// Lagrange multipliers of hard constraints, with all lengths in diagonals.
+/// Lagrange multipliers of hard constraints. All lengths are in diagonals.
 struct Multipliers {
   Columns3 ofRows;
   Columns3 atUnknowns;  ///< n x 3: summed up at the unknowns that constraints name; 0 at all others

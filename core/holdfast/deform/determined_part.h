@@ -1,5 +1,5 @@
 #pragma once
-/// What rounding loses of the part of a displacement that constraints determine.
+/// The part of a displacement that constraints determine, and what rounding loses of it.
 
 #include <vector>
 
@@ -14,11 +14,13 @@ struct DeterminedPart {
   Index row = -1;       ///< place in the system; none where the accuracy is 0
 };
 
-/// Rows that nearly depend on one another multiply the rounding of what they ask for and of what their unknowns move
-/// by: each by its sensitivity (`Elimination::sensitivities`, 0 for rows that are left out). Where that bound exceeds
-/// 1e-12 the error is measured: `solver` takes off what is left of the rows at `u` (n x 3), and the size of that step
-/// counts. `reconciled` is that of the diagnosis. Targets are taken as they are stated. O(terms), and beyond the bound
-/// as `ConstrainedSolver::meet`.
+/// Estimates the error of the part of `u` (n x 3) that rows determine. Rows that nearly depend on one another multiply
+/// the rounding of what they ask for and of what their unknowns move by. Each multiplies it by its sensitivity
+/// (`Elimination::sensitivities`, 0 for rows that are left out).
+///
+/// Where this bound exceeds 1e-12 the error is measured. `solver` takes off what is left of the rows at `u`, and the
+/// size of that step counts. `reconciled` is that of the diagnosis. Targets are taken as they are stated. O(terms), and
+/// beyond the bound the cost of `ConstrainedSolver::meet`.
 [[nodiscard]] DeterminedPart determinedPart(const ConstraintSystem& system, const std::vector<double>& sensitivities,
                                             const ConstrainedSolver& solver, const std::vector<Index>& reconciled,
                                             const Columns3& u);

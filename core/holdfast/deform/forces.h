@@ -1,5 +1,5 @@
 #pragma once
-/// How hard constraints pull: what holds a displacement against its energy |A u - f|^2 / 2, at each unknown.
+/// How hard constraints pull at each unknown. Their forces hold a displacement against its energy |A u - f|^2 / 2.
 
 #include <vector>
 
@@ -14,11 +14,11 @@ struct ActedOn {
   ActedOn(const EnergyMatrix& A, const std::vector<RowTerms>& constraints);
 
   std::vector<char> unknowns;  ///< 1 where a constraint names the unknown
-  std::vector<char> rows;      ///< 1 where a row of A names one of those
+  std::vector<char> rows;      ///< 1 where a row of A names one of these unknowns
 };
 
-/// A^T (f - A u) at the unknowns that are acted on and 0 at all others, n x 3, with lengths in diagonals: no units.
-/// O(entries of A where constraints act).
+/// Returns A^T (f - A u) at the unknowns that constraints act on and 0 at all others, n x 3. Lengths are in diagonals:
+/// the result has no units. O(entries of A where constraints act).
 [[nodiscard]] Columns3 forcesAtUnknowns(const EnergyMatrix& A, const ActedOn& actedOn, const Columns3& u,
                                         const Columns3& f, double diagonal);
 

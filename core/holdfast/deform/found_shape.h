@@ -28,20 +28,21 @@ struct FoundShape {
   ConstraintSystem system;    ///< rotated by q
   RotationIterations iterations;
   std::map<Index, std::vector<Index>> reasons;  ///< see `Diagnosis::reasons`
-  std::vector<Finding> findings;  ///< what is doubtful about them; none where they go on from a call before
+  std::vector<Finding> findings;  ///< what is doubtful about the rotations; none where they go on from a call before
 };
 
 /// What an iteration starts from, n x 3 each, logs.
 struct RotationStart {
-  Columns3 field;   ///< the rotation field of those that are given, which stay unless points of a rigid region differ
-  Columns3 before;  ///< the free ones as they were found before; no rows: not yet
+  Columns3 field;   ///< the field of the given rotations; these stay unless points of a rigid region differ
+  Columns3 before;  ///< the free rotations as found before; no rows where there are none yet
 };
 
-/// Finds rotations. Each iteration fits them to the shape, then solves for the shape. Rigid regions with several points
-/// in them, and kept vectors between held points, turn as these decide. No solution has a larger energy than the one
-/// before unless regions or vectors that turn hang together, or a vector is kept. It
-/// ends when `options` say so, or where the shape is not finite. `progress` may throw between iterations. O(factor) an
-/// iteration.
+/// Finds rotations. Each iteration fits them to the shape, then solves for the shape: O(factor). Rigid regions with
+/// several points in them turn as these decide. Kept vectors between held points do too. No solution has a larger
+/// energy than the one before, with two exceptions. Regions or vectors that turn may hang together, or a vector may be
+/// kept.
+///
+/// The search ends when `options` say so, or where the shape is not finite. `progress` may throw between iterations.
 [[nodiscard]] FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, RotationStart start,
                                    const RotationOptions& options, Progress& progress);
 

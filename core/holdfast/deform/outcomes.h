@@ -1,5 +1,5 @@
 #pragma once
-/// How each constraint fared, read off positions.
+/// How each constraint fared, as positions show it.
 
 #include <algorithm>
 
@@ -9,33 +9,36 @@
 
 namespace holdfast {
 
-/// |B x - d| of every row for the file's vertices at `positions`, model units.
+/// Returns |B x - d| of every row for the file's vertices at `positions`, in model units.
 [[nodiscard]] std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& weld,
                                                const Positions& positions);
 
-/// The labels of a list: `known`, those of the list before it, where they are the same. O(constraints).
+/// Returns the labels of a list. It returns `known`, the labels of the list before it, where these are the same.
+/// O(constraints).
 [[nodiscard]] std::shared_ptr<const ConstraintLabels> labelsOf(const ConstraintList& list,
                                                                std::shared_ptr<const ConstraintLabels> known);
 
-/// The largest sensitivity of each constraint's independent rows and of the terms of its dependent ones; none without
-/// rows.
+/// Returns for each constraint the largest sensitivity of its independent rows and of the terms of its dependent ones.
+/// A constraint without rows has none.
 [[nodiscard]] std::vector<std::optional<double>> constraintSensitivities(const DeformDetails& details);
 
-/// One outcome for each constraint, in order, with the residuals of rows at positions as they are, or will be, stored:
-/// missed where one exceeds its limit, else met. Where `residuals` is empty nothing was solved.
+/// Returns one outcome for each constraint, in order. `residuals` are those of rows at positions as they are stored, or
+/// will be. A constraint is missed where one of them exceeds its limit, else met. Where `residuals` is empty nothing
+/// was solved.
 [[nodiscard]] std::vector<ConstraintOutcome> outcomes(const DeformDetails& details,
                                                       const std::vector<double>& residuals);
 
-/// Whether the result misses a row by more than the row's limit.
+/// Tells whether the result misses a row by more than the row's limit.
 [[nodiscard]] inline bool isMissed(const DeformDetails& details, Index row)
 {
   return details.residuals[row] > details.diagnosis.limits[row];
 }
 
-/// How a row fared at the positions of the result: conflicting, missed, redundant or met.
+/// Tells how a row fared at the positions of the result: conflicting, missed, redundant or met.
 [[nodiscard]] ConstraintStatus rowStatus(const DeformDetails& details, Index row);
 
-/// Sensitivities above this are warned of: a millionth of the model's size in what is asked for moves it by its size.
+/// A sensitivity above this gets a warning. Then a change of a millionth of the model's size in what is asked for moves
+/// the model by its size.
 inline constexpr double kLargeSensitivity = 1e6;
 
 /// Calls `work(c, first, end)` for each of `count` constraints and its rows, over all cores.
@@ -62,15 +65,16 @@ struct MissedRow {
   double limit = 0;      ///< what it should not exceed
 };
 
-/// How many constraints have this status.
+/// Counts the constraints that have this status.
 [[nodiscard]] Index countOf(const Report& report, ConstraintStatus status);
 
-/// Sets the largest residual in `report`. Returns the row that exceeds its limit most, as a share of it, if any does.
+/// Sets the largest residual in `report`. Returns the row that exceeds its limit most, as a share of the limit, if any
+/// does.
 std::optional<MissedRow> setLargestResidual(Report& report, const DeformDetails& details,
                                             const std::vector<double>& residuals);
 
-/// What is said of `result` for a reader of a file that stores its positions in single precision: residuals and what
-/// follows from them. Returns whether a row is missed.
+/// Sets the outcomes in `report` to what a reader of a file finds that stores the positions of `result` in single
+/// precision. These are the residuals, and what follows from them. Returns whether a row is missed.
 bool setRoundedResiduals(Report& report, const DeformResult& result, const Weld& weld);
 
 }  // namespace holdfast

@@ -9,11 +9,12 @@
 
 namespace holdfast {
 
-/// Findings about the `near` places of one list after another on one mesh: while places stay, nothing is searched.
+/// Findings about the `near` places of one list after another on one mesh. While places stay, nothing is searched.
 class PlaceFindings {
  public:
-  /// Looks for places farther from the surface than `reach`, a length, with a guess of what was meant, and for places
-  /// in the middle between two sides. `locator` is that of the mesh. O(places), and `guessOfPlaces` where one is far.
+  /// Looks for places farther from the surface than `reach`, a length, and guesses what was meant. It also looks for
+  /// places in the middle between two sides. `locator` is that of the mesh. O(places), and the cost of `guessOfPlaces`
+  /// where one is far.
   void update(std::span<const NearPlace> places, const SurfaceLocator& locator, double reach);
 
   /// Adds what was found to `findings`.

@@ -17,36 +17,37 @@ namespace holdfast {
 
 /// The rotations of all unknowns, or the reason why there are none.
 struct Rotations {
-  Columns3 q;                                 ///< n x 3, logs; zero everywhere where none is asked for
-  std::optional<double> accuracy;             ///< of the field, see `accuracy.h`; none where none is asked for
+  Columns3 q;                                 ///< n x 3, logs; zero everywhere where no rotation is asked for
+  std::optional<double> accuracy;             ///< see `RotationField`; none where no rotation is asked for
   std::optional<double> disagreementDegrees;  ///< largest difference of those given in one rigid region; likewise
   std::vector<Finding> findings;              ///< what is doubtful about the field, ids in the file and in the list
   std::string failure;
 };
 
-/// Given rotations of a rigid region that differ by more are a finding: as half angles, in radians, what the promised
-/// residual is of a length.
+/// Given rotations of a rigid region are a finding where they differ by more than this. It is in half angles, in
+/// radians: what the promised residual is for a length.
 inline constexpr double kAgreeingRotations = 1e-12;
 
-/// Whether constraints give a rotation other than none.
+/// Tells whether constraints give a rotation other than none.
 [[nodiscard]] bool asksForRotation(const ConstraintSystem& system);
 
 /// Finds rotations for constraints of one structure. Nothing is factorised before a rotation is asked for.
 class RotationFactorization {
  public:
-  /// `mesh` stays alive as long as this, and has the `operators`: none where no rotation will be asked for. `ranks` may
-  /// be empty, see `RotationProblem`.
+  /// `mesh` must stay alive as long as this. The `operators` are those of the mesh, or none where no rotation will be
+  /// asked for. `ranks` may be empty, see `RotationProblem`.
   RotationFactorization(const SolverMesh& mesh, std::shared_ptr<const Operators> operators, Backend backend,
                         std::vector<int> ranks = {})
       : mesh_(mesh), operators_(std::move(operators)), backend_(backend), ranks_(std::move(ranks))
   {
   }
 
-  /// The field for the rotations of `system`, which has the same prescribed unknowns and rigid regions at every call.
-  /// Factorises when the first are asked for; `progress` may throw then, and the next call goes on.
+  /// Returns the field for the rotations of `system`. The prescribed unknowns and rigid regions must be the same at
+  /// every call. The first rotations that are asked for start the factorisation. `progress` may throw then, and the
+  /// next call goes on.
   [[nodiscard]] Rotations solve(const ConstraintSystem& system, Progress& progress);
 
-  /// Whether nothing is left to factorise.
+  /// Tells whether nothing is left to factorise.
   [[nodiscard]] bool isReady() const { return field_ && field_->isDone(); }
 
  private:
@@ -58,10 +59,10 @@ class RotationFactorization {
   std::vector<Finding> guards_;
 };
 
-/// Enters in `report` what is to be said of the rotations: figures and findings.
+/// Enters in `report` the figures and findings of the rotations.
 void takeOver(const Rotations& rotations, Report& report);
 
-/// `delta` turned by exp(q_i), less `delta`: n x 3.
+/// Returns `delta` rotated by exp(q_i), less `delta`: n x 3.
 [[nodiscard]] Columns3 rotationOfDelta(const Columns3& delta, const Columns3& q);
 
 }  // namespace holdfast

@@ -1,5 +1,6 @@
 #pragma once
-/// The elimination of hard constraints: B^T = Q R for independent rows, (14), never as one matrix.
+/// The elimination of hard constraints, block by block. It factorises B^T = Q R for independent rows, (14), but never
+/// as one matrix.
 
 #include <utility>
 #include <vector>
@@ -11,10 +12,10 @@
 
 namespace holdfast {
 
-/// `Elimination` over rows of which none is the difference of two unknowns. A pin is an identity column, its value
-/// copied; what pins leave of the other rows falls into components, each with a Householder QR of its own, dense when
-/// small and sparse when large. Q2 of a large one is that of the parts that it leaves free, which may keep rows: these
-/// stay in the system.
+/// This class does the work of `Elimination` over rows of which none is the difference of two unknowns. A pin is an
+/// identity column, and its value is copied. What pins leave of the other rows falls into components. Each component
+/// has a Householder QR of its own, dense when it is small and sparse when it is large. Q2 of a large component is that
+/// of the parts that it leaves free. Such a part may keep rows, which stay in the system.
 class BlockElimination {
  public:
   /// One component of the rows that are left without pins.
@@ -31,21 +32,22 @@ class BlockElimination {
   BlockElimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
                    const std::vector<bool>& isHeld);
 
-  /// Orthonormal but for large components; a free unknown has an identity column. Made anew: O(n + its entries).
+  /// Returns Q2, which is orthonormal but for large components. A free unknown has an identity column. Each call makes
+  /// the matrix anew: O(n + its entries).
   [[nodiscard]] SparseMatrix Q2() const;
 
-  /// How many columns Q2 has. O(n).
+  /// Returns how many columns Q2 has. O(n).
   [[nodiscard]] Index freeCount() const;
 
-  /// Orthonormal, with no row kept: see `Elimination::wholeQ2`.
+  /// Returns an orthonormal Q2 for which no row is kept, see `Elimination::wholeQ2`.
   [[nodiscard]] SparseMatrix wholeQ2() const;
 
-  /// Q1 y with R1^T y = d, (18). Pins are copied bit for bit.
+  /// Returns Q1 y with R1^T y = d, (18). Pins are copied bit for bit.
   [[nodiscard]] Columns3 particular(const Columns3& d) const;
 
   [[nodiscard]] Columns3 multipliers(const Columns3& gradient) const;
 
-  /// Over these unknowns, which may be groups.
+  /// Returns the sensitivities over these unknowns, which may be groups.
   [[nodiscard]] std::vector<double> sensitivities() const;
 
   [[nodiscard]] const std::vector<Block>& blocks() const noexcept { return blocks_; }
@@ -54,7 +56,7 @@ class BlockElimination {
   struct Pin {
     Index unknown;
     Index row;
-    double weight;  // 1, but for what is left of relative rows and face points between groups
+    double weight;  // 1, but for what groups leave of relative rows and face points
   };
 
   /// One block's part of the matrices below.

@@ -7,13 +7,15 @@
 
 namespace holdfast {
 
-/// `Thinned`: rows were taken out for being close to the others. What needs them does not depend on the rest.
+/// A basis is thinned where rows were taken out of it because they were close to the others. A row that needs these
+/// does not depend on the rest.
 enum class BasisKind { Whole, Thinned };
 
-/// `circuitsOf`, where `others` are many by one sparse QR of each patch of rows that they lie in the middle of, and by
-/// one of all rows for those whose circuits leave their patches. `unknowns` ascend. The time is that of `circuitsOf`
-/// for the latter and, for the former, proportional to their number. A row that does not depend on a thinned basis gets
-/// the combination of its patch that is nearest to it, with its distance.
+/// Returns what `circuitsOf` returns, by patches where `others` are many. One sparse QR of each patch finds the
+/// circuits of the rows in its middle. One sparse QR of all rows finds the circuits that leave their patches.
+/// `unknowns` ascend. The patches take time proportional to the number of their rows; the rest takes the time of
+/// `circuitsOf`. A row may not depend on a thinned basis. It then gets the combination of its patch that is nearest to
+/// it, with its distance.
 [[nodiscard]] std::vector<Dependency> circuitsByPatches(const std::vector<RowTerms>& rows,
                                                         const std::vector<Index>& basis,
                                                         const std::vector<Index>& others,

@@ -12,12 +12,12 @@ namespace holdfast {
 
 enum class RowStatus {
   Independent,  ///< enforced
-  Redundant,    ///< follows from rows before it, and agrees with them, or nearly follows and may agree
-  Conflicting   ///< follows from rows before it, and asks for something else: left out
+  Redundant,    ///< follows from earlier rows and agrees with them, or nearly follows and may agree
+  Conflicting   ///< follows from earlier rows and asks for something else: left out
 };
 
-/// A dependent row, its circuit, and d_j - sum a_k d_k: what is missing between what it asks for and what the rows
-/// before it imply, in model units.
+/// A dependent row with its circuit and its gap. The gap is d_j - sum a_k d_k: what the row asks for, less what the
+/// rows before it imply, in model units.
 struct DependentRow {
   Dependency dependency;
   Vector3 gap = Vector3::Zero();
@@ -27,40 +27,43 @@ struct Diagnosis {
   std::vector<RowStatus> status;        ///< of each row
   std::vector<DependentRow> dependent;  ///< ascending by row
   std::vector<double> limits;  ///< of each row: the largest residual with which it is met, see `residualLimits`
-  bool isNearOrigin = false;   ///< then they are the promised residual, whatever the displacement
-  /// The redundant rows that the independent ones alone miss by more than rounding, when they would miss some of them
-  /// by more than their limits: see `reconciledParticular`.
+  bool isNearOrigin = false;   ///< then each limit is the promised residual, whatever the displacement
+  /// The redundant rows that the independent ones alone miss by more than rounding, see `reconciledParticular`. They
+  /// are listed only where some of them would be missed by more than their limits.
   std::vector<Index> reconciled;
-  /// Of conflicting rows whose gap depends on rotations, where these were found: by row, those that it contradicts.
+  /// For each conflicting row whose gap depends on rotations: the rows that it contradicts. Filled where rotations were
+  /// found.
   std::map<Index, std::vector<Index>> reasons;
-  /// The conflicting rows that would be met where rotations are found, ascending; none where they were.
+  /// The conflicting rows that would be met if rotations were found, ascending. None where they were found.
   std::vector<Index> metIfFound;
   Columns3 particular;  ///< `Elimination::particular` of the shifts, where gaps were read off it; else no rows
 
   [[nodiscard]] bool hasConflicts() const;
 };
 
-/// The residual that is promised, as a share of the bounding box's diagonal.
+/// The solver promises this residual, as a share of the diagonal of the bounding box.
 inline constexpr double kPromisedResidual = 1e-12;
 
-/// Where doubles lie farther apart than that, this many epsilon of the largest number in a row are promised: what
-/// rounding of three stored places, of their weighted sum and of its target can come to.
+/// Where doubles lie farther apart than that residual, this many epsilon of the largest number in a row are promised.
+/// Three stored places, their weighted sum and its target can come to so much rounding.
 inline constexpr double kPromisedSpacings = 8;
 
-/// A dependent row agrees with its terms when changing what each of them asks for by no more than this share of its
-/// limit closes the gap; the rest is left to rounding. Pins are not changed: they are copied.
+/// A dependent row agrees with its terms when small changes of what each of them asks for close its gap. A change is
+/// small up to this share of the term's limit; the rest is left to rounding. Pins are not changed, because they are
+/// copied.
 inline constexpr double kConsistentShare = 0.5;
 
-/// The largest residual with which each row is met, in model units: `kPromisedResidual` of the diagonal or, if that is
-/// more, `kPromisedSpacings` epsilon of the largest of the row's own numbers. These are the coordinates of its target
-/// and the sums of its unknowns' coordinates times the size of their weights, at rest and displaced by `u` (n x 3; at
-/// rest where that has no rows), the latter up to the largest coordinate that is asked for. For a dependent row the
-/// numbers of its terms count as well. O(terms).
+/// Returns the largest residual with which each row is met, in model units. It is `kPromisedResidual` of the diagonal
+/// or, if that is more, `kPromisedSpacings` epsilon of the largest of the row's own numbers.
+///
+/// These numbers are the coordinates of the row's target, and sums of its unknowns' coordinates times the size of their
+/// weights. The sums are taken at rest and displaced by `u` (n x 3; no rows: at rest). The displaced ones count up to
+/// the largest coordinate that is asked for. For a dependent row the numbers of its terms count as well. O(terms).
 [[nodiscard]] std::vector<double> residualLimits(const SolverMesh& mesh, const ConstraintSystem& system,
                                                  const std::vector<DependentRow>& dependent, const Columns3& u);
 
-/// What the decomposition of section 5 finds out about the rows from topology and barycentric numbers alone: it does
-/// not change when targets do.
+/// What the decomposition of section 5 finds out about the rows. It uses topology and barycentric numbers alone, so it
+/// does not change when targets do.
 struct EliminatedConstraints {
   std::vector<RowTerms> rows;            ///< of B; those of parts at rest are empty
   std::vector<Dependency> dependencies;  ///< the rows that follow from rows before them, ascending
@@ -68,19 +71,20 @@ struct EliminatedConstraints {
   Elimination elimination;               ///< of the independent rows
 };
 
-/// Rows closer to the rows before them than `tolerance` are left out, see `kRankTolerance`.
+/// Eliminates the rows of `system`. Rows closer to the rows before them than `tolerance` are left out, see
+/// `kRankTolerance`.
 [[nodiscard]] EliminatedConstraints eliminate(const ConstraintSystem& system, const SolverMesh& mesh,
                                               double tolerance = kRankTolerance);
 
-/// Gaps, and what the rows asked for that they depend on: in most frames of a drag both stay as they are.
+/// Gaps, and what the rows that they depend on asked for. In most frames of a drag both stay as they are.
 struct KnownGaps {
   std::vector<Index> rows;
   Columns3 shifts;
   std::vector<DependentRow> gaps;
 };
 
-/// Classifies the dependent rows by their gaps at the targets of `system`, which has the rows that were eliminated.
-/// `known` is of an earlier call with the same `eliminated`, or empty, and becomes what was found now.
+/// Classifies the dependent rows by their gaps at the targets of `system`. `system` has the rows that were eliminated.
+/// `known` is empty, or comes from an earlier call with the same `eliminated`. The call replaces it by what it finds.
 [[nodiscard]] Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSystem& system,
                                  const SolverMesh& mesh, KnownGaps& known);
 [[nodiscard]] inline Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSystem& system,
@@ -90,11 +94,12 @@ struct KnownGaps {
   return diagnose(eliminated, system, mesh, none);
 }
 
-/// The largest gap of each dependent row that is rounding, model units, in the order of `eliminated.dependencies`.
+/// Returns for each dependent row the largest gap that is rounding, in model units. The order is that of
+/// `eliminated.dependencies`.
 [[nodiscard]] std::vector<double> agreeingGaps(const EliminatedConstraints& eliminated, const ConstraintSystem& system,
                                                const SolverMesh& mesh);
 
-/// d - B p for every row, as the solver takes them: rows x 3.
+/// Returns d - B p for every row, as the solver takes them: rows x 3.
 [[nodiscard]] Columns3 shiftsOf(const ConstraintSystem& system);
 
 }  // namespace holdfast

@@ -9,15 +9,15 @@ namespace holdfast {
 
 /// Rows that nearly depend on others.
 struct NearRows {
-  std::vector<Index> last;     ///< those to be taken away
-  bool isBeyondOrder = false;  ///< more than `kLargestCluster` nearly depend on one another: of these just any half
+  std::vector<Index> last;     ///< the rows to be taken away
+  bool isBeyondOrder = false;  ///< over `kLargestCluster` nearly depend on one another: `last` has just any half
 };
 
 inline constexpr std::size_t kLargestCluster = 512;
 
-/// Rows without which no row of `basis` is closer than `tolerance` to the span of others, as far as one look tells: of
-/// those that nearly depend on one another, the last ones in the order of `basis`. One sparse QR; then each cluster of
-/// close rows takes a dense one of its own.
+/// Returns the rows without which no row of `basis` is closer than `tolerance` to the span of others. One look may not
+/// find all. Of rows that nearly depend on one another these are the last ones in the order of `basis`. One sparse QR
+/// is made, and then a dense one for each cluster of close rows.
 [[nodiscard]] NearRows nearlyDependentRows(const std::vector<RowTerms>& rows, const std::vector<Index>& basis,
                                            const std::vector<Index>& unknowns, double tolerance);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Rows that have an unknown of their own: each is solved for it without arithmetic on other rows.
+/// Rows that have an unknown of their own. Each is solved for this unknown without arithmetic on other rows.
 
 #include <vector>
 
@@ -12,25 +12,27 @@ struct OwnUnknown {
   Index unknown = 0;
 };
 
-/// Some of `rows`, each with an unknown that neither the rows behind it in this list name nor those that are not in
-/// it. No row outside depends on one of the list, nor one of the list on any other: moving the own unknowns alone meets
-/// a row with 1 and all others of `rows` with 0. A row is in the list only if they move by at most `kMostMoved` in all
-/// for that. Points at random in up to 0.8 faces for each vertex leave few rows outside. O(terms).
+/// Returns a list of some of `rows`, each with an own unknown. Neither the rows behind it in this list name that
+/// unknown, nor do the rows outside the list. No row outside depends on rows of the list. No row of the list depends on
+/// any other row. Moves of own unknowns alone meet such a row with 1 and all others of `rows` with 0. A row is in the
+/// list only if these moves are at most `kMostMoved` in all. O(terms).
+///
+/// Points at random in up to 0.8 faces for each vertex leave few rows outside.
 [[nodiscard]] std::vector<OwnUnknown> ownUnknowns(const std::vector<RowTerms>& rows, Index unknownCount);
 
-/// A bound of the sensitivities of rows with own unknowns: far below the inverse of the rank tolerance.
+/// This bounds the sensitivities of rows with own unknowns. It is far below the inverse of the rank tolerance.
 inline constexpr double kMostMoved = 100;
 
 /// Displacements that rows of a list map to zero.
 struct SubstitutedRows {
-  SparseMatrix basis;       ///< unknowns x free ones: 1 at a free unknown, and what the own unknowns follow by
-  std::vector<Index> kept;  ///< ascending: the rows that are not substituted, which the basis does not meet
+  SparseMatrix basis;       ///< unknowns x free ones: 1 at free unknowns, and how own unknowns follow them
+  std::vector<Index> kept;  ///< rows that are not substituted and that the basis does not meet, ascending
 };
 
 /// Substitutes own unknowns by the others of their rows, where no coefficient exceeds `kLargestShare`. O(entries).
 [[nodiscard]] SubstitutedRows substituted(const std::vector<RowTerms>& rows, Index unknownCount);
 
-/// Larger coefficients would take digits: the basis is not orthogonal.
+/// The basis is not orthogonal, and larger coefficients than this would take digits.
 inline constexpr double kLargestShare = 10;
 
 }  // namespace holdfast

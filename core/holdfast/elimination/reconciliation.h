@@ -7,10 +7,12 @@
 
 namespace holdfast {
 
-/// `Elimination::particular` of `d` (rows x 3) with the `redundant` rows met as well, by least squares over them and
-/// the rows that they follow from; pins stay as they are. Where coefficients of circuits are large, `particular` misses
-/// redundant rows by as much as rounding of d grows along the circuit; this misses none by more than the smallest
-/// change of d that makes all agree. One sparse QR of the circuits.
+/// Returns `Elimination::particular` of `d` (rows x 3), changed so that the `redundant` rows are met as well. It solves
+/// least squares over them and the rows that they follow from. Pins stay as they are. One sparse QR of the circuits is
+/// made.
+///
+/// Where coefficients of circuits are large, rounding of d grows along a circuit, and `particular` misses redundant
+/// rows by as much. This function misses none by more than the smallest change of d that makes all agree.
 [[nodiscard]] Columns3 reconciledParticular(const EliminatedConstraints& eliminated,
                                             const std::vector<Index>& redundant, const Columns3& d);
 

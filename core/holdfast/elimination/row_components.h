@@ -1,5 +1,5 @@
 #pragma once
-/// Rows of B that share unknowns, however indirectly. Rows of different components are orthogonal: each component is
+/// Rows of B that share unknowns, however indirectly. Rows of different components are orthogonal. So each component is
 /// eliminated on its own, and no matrix larger than its block is ever formed.
 
 #include <vector>
@@ -18,25 +18,25 @@ struct RowComponent {
   std::vector<Index> unknowns;
 };
 
-/// The components of all rows that are not empty, in the order of their first rows. O(terms log terms).
+/// Returns the components of all rows that are not empty, in the order of their first rows. O(terms log terms).
 [[nodiscard]] std::vector<RowComponent> connectedRows(const std::vector<RowTerms>& rows, Index unknownCount);
 
-/// The unknowns that some of `rows` name, ascending, each once.
+/// Returns the unknowns that some of `rows` name, ascending, each once.
 [[nodiscard]] std::vector<Index> unknownsOf(const std::vector<RowTerms>& rows, const std::vector<Index>& some);
 
-/// For each unknown the rows that name it, ascending. O(terms).
+/// Returns for each unknown the rows that name it, ascending. O(terms).
 [[nodiscard]] IndexLists rowsOfUnknowns(const std::vector<RowTerms>& rows, Index unknownCount);
 
-/// Its rows, by places in `component.rows`, over places in `component.unknowns`.
+/// Returns the rows of a component, by places in `component.rows`, over places in `component.unknowns`.
 [[nodiscard]] std::vector<RowTerms> localRows(const std::vector<RowTerms>& rows, const RowComponent& component);
 
-/// The component's block of B^T: component.unknowns x component.rows.
+/// Returns the component's block of B^T: component.unknowns x component.rows.
 [[nodiscard]] SparseMatrix transposedBlock(const std::vector<RowTerms>& rows, const RowComponent& component);
 
-/// Whether the component is eliminated as a dense block; larger ones by sparse QR.
+/// Tells whether the component is eliminated as a dense block. Larger ones are eliminated by sparse QR.
 [[nodiscard]] bool isDense(const RowComponent& component);
 
-/// B, rows.size() x unknownCount.
+/// Returns B, rows.size() x unknownCount.
 [[nodiscard]] SparseMatrix constraintMatrix(const std::vector<RowTerms>& rows, Index unknownCount);
 
 }  // namespace holdfast

@@ -8,10 +8,11 @@
 
 namespace holdfast {
 
-/// Smallest weight of an edge with `Weights::Cotangent`. Across an obtuse angle cotangents would push the rotations of
-/// the ends apart, out of the hull of those that are given, and across two right ones leave them untied. So little
-/// changes no field that cotangents alone define by more than a millionth, and leaves weights within 4e7 of one
-/// another, whose square root is all that sparse QR sees.
+/// The smallest weight of an edge with `Weights::Cotangent`. Across an obtuse angle cotangents would push the rotations
+/// of the ends apart, out of the hull of those that are given. Across two right angles they would leave them untied.
+///
+/// A field that cotangents alone define changes by no more than a millionth through so small a weight. It also leaves
+/// weights within 4e7 of one another, whose square root is all that sparse QR sees.
 inline constexpr double kRotationWeightFloor = 1e-6;
 
 struct RotationWeights {
@@ -20,10 +21,12 @@ struct RotationWeights {
   std::vector<Index> floored;     ///< both ends of each edge whose weight was negative, by more than the floor
 };
 
-/// Weights w_ij of the Dirichlet energy sum of w_ij |q_i - q_j|^2, on every edge of the mesh: 1 with
-/// `Weights::Uniform`; the sum of the guarded cotangents across the edge, not below `kRotationWeightFloor`, with
-/// `Weights::Cotangent`; and with `Weights::CotangentPaper` the cotangents of (10) as they are, negative across obtuse
-/// angles and not finite beside triangles without area. None depends on the scale of the model. O(T).
+/// Returns the weights w_ij of the Dirichlet energy sum of w_ij |q_i - q_j|^2, on every edge of the mesh. None depends
+/// on the scale of the model. O(T).
+///
+/// With `Weights::Uniform` a weight is 1. With `Weights::Cotangent` it is the sum of the guarded cotangents across the
+/// edge, not below `kRotationWeightFloor`. With `Weights::CotangentPaper` it has the cotangents of (10) as they are.
+/// These are negative across obtuse angles and not finite beside triangles without area.
 [[nodiscard]] RotationWeights rotationEdgeWeights(const Operators& operators);
 
 }  // namespace holdfast

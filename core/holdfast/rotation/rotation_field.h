@@ -10,7 +10,7 @@
 
 namespace holdfast {
 
-/// The field that minimises the sum of w_ij |q_i - q_j|^2 with q given at some unknowns and equal inside rigid regions.
+/// The field that minimises the sum of w_ij |q_i - q_j|^2. q is given at some unknowns and equal inside rigid regions.
 struct RotationProblem {
   Index unknownCount = 0;
   std::vector<EdgeWeight> weights;               ///< each edge once
@@ -19,7 +19,8 @@ struct RotationProblem {
   std::vector<int> ranks = {};                   ///< `eliminationRanks`; empty: the factorisation finds an order
 };
 
-/// Each unknown is one of three: given (`givenOf`), free (`columnOf`), or out of reach of everything given (neither).
+/// Each unknown is one of three kinds: given (`givenOf`), free (`columnOf`), or out of reach of everything given
+/// (neither).
 struct RotationUnknowns {
   std::vector<Index> givenOf;      ///< of each unknown: place in `prescribed` of the value that it has; -1
   std::vector<Index> columnOf;     ///< of each unknown: its column, that of all free unknowns of one region; -1
@@ -29,7 +30,7 @@ struct RotationUnknowns {
   [[nodiscard]] Index columnCount() const noexcept { return static_cast<Index>(referenceOf.size()); }
 };
 
-/// What a given rotation asks of an equation: `weight` times its difference from another given one.
+/// What a given rotation asks of an equation: `weight` times its difference from another given rotation.
 struct RotationPull {
   Index row = 0;
   double weight = 0;
@@ -51,26 +52,29 @@ struct RotationField {
   std::vector<RotationGap> gaps;  ///< ascending by `given`; none where the given rotations of each region agree
 };
 
-/// One decomposition, for any number of values at the same unknowns. Other unknowns, regions or weights make another.
+/// A solver holds one decomposition, for any number of values at the same unknowns. Other unknowns, regions or weights
+/// make another solver.
 class RotationFieldSolver {
  public:
-  /// `factor` is one of `scaled.C`.
+  /// `factor` must be a factor of `scaled.C`.
   RotationFieldSolver(RotationUnknowns unknowns, std::vector<RotationPull> pulls, ScaledColumns scaled,
                       std::unique_ptr<const LeastSquaresFactor> factor);
 
-  /// `values` (prescribed.size() x 3) are the logs at `RotationProblem::prescribed`, of any number of turns; they are
-  /// copied bit for bit. Without negative weights every q is a mean of the given ones with non-negative weights, up to
-  /// rounding. Where all values that a part of the mesh is tied to are the same, so is q there, exactly; unknowns that
-  /// are tied to none have q = 0. O(factor); O(n) where up to four values differ, equal at the same places as in the
-  /// call before. Not for concurrent calls.
+  /// Returns the field for `values` (prescribed.size() x 3), the logs at `RotationProblem::prescribed`. They may have
+  /// any number of turns and are copied bit for bit. Without negative weights every q is a mean of the given ones with
+  /// non-negative weights, up to rounding. A part of the mesh may be tied to values that are all the same. Then q is
+  /// exactly that there. Unknowns that are tied to no value have q = 0.
+  ///
+  /// O(factor). It is O(n) where up to four values differ and are equal at the same places as in the call before. Not
+  /// for concurrent calls.
   [[nodiscard]] RotationField solve(const Columns3& values) const;
 
  private:
-  /// What the pulls make of three numbers that are given at each place in `prescribed`: how far each unknown is from
-  /// its base, n x 3.
+  /// Returns how far each unknown is from its base, n x 3. The pulls make this of three numbers that are given at each
+  /// place in `prescribed`.
   [[nodiscard]] CorrectedSolution pulled(const Columns3& values) const;
 
-  /// The last answer to distinct values: a column says how far one of them reaches.
+  /// The last answer to distinct values. Each of its columns says how far one of them reaches.
   struct Response {
     std::vector<int> valueOf;  ///< of each place in `prescribed`
     CorrectedSolution reach;
@@ -86,9 +90,9 @@ class RotationFieldSolver {
 
 using RotationFieldResult = Result<std::unique_ptr<const RotationFieldSolver>>;
 
-/// Minimises the Dirichlet energy by least squares over the edges; where a weight is negative there may be no minimum,
-/// and L q = 0, (25), is solved at every free unknown, summed over each rigid region. Fails for weights that are not
-/// finite, and for negative ones that leave the equations singular.
+/// Makes a solver that minimises the Dirichlet energy by least squares over the edges. Where a weight is negative there
+/// may be no minimum. Then it solves L q = 0, (25), at every free unknown, summed over each rigid region. Fails for
+/// weights that are not finite, and for negative ones that leave the equations singular.
 [[nodiscard]] RotationFieldResult makeRotationFieldSolver(const RotationProblem& problem, Backend backend);
 
 }  // namespace holdfast

@@ -21,7 +21,7 @@ struct TurnedArm {
   Vector3 arm = Vector3::Zero();  ///< at rest, model units
 };
 
-/// A dependent row whose gap, `asked` less the sum of R_body arm, depends on rotations.
+/// A dependent row whose gap depends on rotations. The gap is `asked` less the sum of R_body arm.
 struct TurningGap {
   Index row = 0;
   RowTerms circuit;                 ///< rows with coefficients: 1 for `row`, -a_k for those that it follows from
@@ -31,7 +31,7 @@ struct TurningGap {
 };
 
 struct TurningBodies {
-  /// The rows of `system` are those of `eliminated`. O(terms).
+  /// The rows of `system` must be those of `eliminated`. O(terms).
   TurningBodies(const EliminatedConstraints& eliminated, const ConstraintSystem& system, const SolverMesh& mesh);
 
   std::vector<TurningBody> bodies;

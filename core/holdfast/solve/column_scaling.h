@@ -1,5 +1,5 @@
 #pragma once
-/// Columns of unit length: the normal equations get a unit diagonal, nearly.
+/// Columns of unit length. With them the normal equations have a unit diagonal, nearly.
 
 #include <holdfast/base/result.h>
 #include <holdfast/base/sparse_products.h>
@@ -12,10 +12,10 @@ struct ScaledColumns {
   Eigen::VectorXd scale;
 };
 
-/// Takes the memory of `M`. Fails for an empty or non-finite column. O(entries).
+/// Scales the columns of `M` and takes its memory. Fails for an empty or non-finite column. O(entries).
 [[nodiscard]] Result<ScaledColumns> scaleColumns(SparseMatrix&& M);
 
-/// By which columns with these sums of squares get length 1. Fails as `scaleColumns`.
+/// Returns the factors that give length 1 to columns with these sums of squares. Fails as `scaleColumns` does.
 [[nodiscard]] Result<Eigen::VectorXd> unitScale(const Eigen::VectorXd& squares);
 
 }  // namespace holdfast

@@ -18,37 +18,40 @@ struct RowTargets {
   Columns3 particular = {};       ///< `Elimination::particular` of the shifts where that is known; else no rows
 };
 
-/// A displacement of the unknowns from rest. The paper solves for positions; the displacement is the same problem with
-/// the rest shape taken off both sides, and keeps the digits that positions would spend on it.
+/// A displacement of the unknowns from rest. The paper solves for positions. The displacement solves the same problem,
+/// with the rest shape taken off both sides. It keeps the digits that positions would spend on that shape.
 struct Displacement {
   Columns3 u;                 ///< n x 3, model units
   int corrections = 0;        ///< refinement steps
   double accuracy = 0;        ///< estimated relative error, from residuals through A itself: see `correctedSolve`
-  double left = 0;            ///< of an error, by the factor: see `CorrectedSolution`; 0 where that is not known
-  Columns3 multipliers = {};  ///< of rows that the solver keeps in its system, as linear in the targets as `u`
+  double left = 0;            ///< the share of an error that the factor leaves, see `CorrectedSolution`; 0: not known
+  Columns3 multipliers = {};  ///< of rows kept in the solver's system; as linear in the targets as `u`
 };
 
 class ConstrainedSolver;
 using SolverResult = Result<std::unique_ptr<const ConstrainedSolver>>;
 
-/// One decomposition, for any number of solutions with the same rows. Another set of constraints makes another object.
+/// A solver holds one decomposition, for any number of solutions with the same rows. Another set of constraints makes
+/// another object.
 class ConstrainedSolver {
  public:
   virtual ~ConstrainedSolver() = default;
 
-  /// `f` (n x 3) is what A u should be near: 0 when no detail is turned. O(factor). Not for concurrent calls.
+  /// Solves for these targets. `f` (n x 3) is what A u should be near: 0 when no detail is rotated. O(factor). Not for
+  /// concurrent calls.
   [[nodiscard]] virtual Displacement solve(const RowTargets& targets, const Columns3& f) const = 0;
 
-  /// The same by a solution for about the same: in half the time where it is near enough, and as accurate. The last
-  /// digits depend on `near`.
+  /// Solves like `solve`, from a solution `near` for about the same. Where that is near enough it takes half the time,
+  /// and the result is as accurate. The last digits depend on `near`.
   [[nodiscard]] virtual Displacement solveFrom(Displacement /*near*/, const RowTargets& targets,
                                                const Columns3& f) const
   {
     return solve(targets, f);
   }
 
-  /// The same by `base`, the last solution under the same f of the solver that this one was `edited` from: in little
-  /// more than half of the time. None where the rows that both have ask for something else now.
+  /// Solves like `solve`, from `base`, in little more than half of the time. `base` is the last solution, under the
+  /// same f, of the solver that this one was `edited` from. Returns none where the rows that both solvers have ask for
+  /// something else now.
   [[nodiscard]] virtual std::optional<Displacement> solveEdited(const Displacement& /*base*/,
                                                                 const RowTargets& /*targets*/,
                                                                 const Columns3& /*f*/) const
@@ -59,14 +62,15 @@ class ConstrainedSolver {
   /// Takes what rounding has left of B u = d off `u`, where the solver holds its rows exactly.
   virtual void meet(const RowTargets& /*targets*/, Columns3& /*u*/) const {}
 
-  /// A solver under `others`, by this one's decomposition and a border of one column for each row more and each row
-  /// fewer. Fails where they are too many, or where the solver does not do that. O(factor) for three rows.
+  /// Makes a solver under `others` from this one's decomposition. It adds a border of one column for each row more and
+  /// for each row fewer. Fails where these are too many, or where the solver does not do that. O(factor) for three
+  /// rows.
   [[nodiscard]] virtual SolverResult edited(std::shared_ptr<const EliminatedConstraints> others) const;
 
-  /// Unknowns of the system that is solved, for each coordinate.
+  /// Returns how many unknowns the system that is solved has, for each coordinate.
   [[nodiscard]] virtual Index unknowns() const = 0;
   [[nodiscard]] virtual Index factorNonzeros() const = 0;
-  /// How it is solved, in a user's words.
+  /// Returns how the problem is solved, in a user's words.
   [[nodiscard]] virtual std::string method() const = 0;
 
  protected:
@@ -90,7 +94,7 @@ struct ConstrainedProblem {
 
 [[nodiscard]] SolverResult makeSolver(ConstrainedProblem problem, const SolverOptions& options);
 
-/// The three behind it.
+/// `makeSolver` calls one of these three.
 [[nodiscard]] SolverResult makeHardSolver(ConstrainedProblem problem, Backend backend);
 [[nodiscard]] SolverResult makeSoftSolver(ConstrainedProblem problem, Backend backend, double weight);
 [[nodiscard]] SolverResult makeLagrangeSolver(ConstrainedProblem problem, Backend backend);

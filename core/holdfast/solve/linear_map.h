@@ -1,5 +1,5 @@
 #pragma once
-/// C of min |C z - f|, as factorisations and corrections need it.
+/// The matrix C of min |C z - f|, as factorisations and corrections need it.
 
 #include <functional>
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace holdfast {
 
-/// A view of a matrix, or of a product of matrices that is made where it is factorised by QR alone.
+/// A view of a matrix, or of a product of matrices. The product is made only where it is factorised by QR.
 struct LinearMap {
   std::function<Columns3(const Columns3& z)> times;                        ///< C z
   std::function<Columns3(const Columns3& f, const Columns3& z)> residual;  ///< f - C z
@@ -17,7 +17,7 @@ struct LinearMap {
   std::function<SparseMatrix()> gramLower;                                 ///< the lower triangle of C^T C
   std::function<std::shared_ptr<const TwoWayMatrix>()> matrix;             ///< C
 
-  /// `C` stays alive as long as this. It has these functions, or is a matrix.
+  /// `C` has these functions, or is a matrix. It must stay alive as long as this.
   template <class Map>
   LinearMap(const Map& C)
       : times([&C](const Columns3& z) { return C.times(z); }),

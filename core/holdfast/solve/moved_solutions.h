@@ -1,7 +1,9 @@
 #pragma once
-/// Solutions of a drag. The displacement is linear in what the rows ask for: where few groups of rows have moved, each
-/// as a whole, since another solution, the difference is a sum of stored columns. Where rotations change, the sum of
-/// earlier solutions whose f is nearest is corrected by one more, as successive right-hand sides are (Fischer, 1998).
+/// Solutions of a drag. The displacement is linear in what the rows ask for. Often few groups of rows have moved since
+/// another solution, each as a whole. Then the difference is a sum of stored columns.
+///
+/// Where rotations change, this begins from the sum of earlier solutions whose f is nearest. One more solve corrects
+/// that, as is done for successive right-hand sides (Fischer, 1998).
 
 #include <deque>
 #include <functional>
@@ -19,17 +21,17 @@ struct SolvedDisplacement {
   std::shared_ptr<const Columns3> f;
 };
 
-/// For one solver, which is the same at every call.
+/// The solutions of one solver, which is the same at every call.
 class MovedSolutions {
  public:
   explicit MovedSolutions(const SolverMesh& mesh);
 
-  /// For a solver that was `edited` from that of `base`: where it can be, the first solution is made of the last one of
-  /// that.
+  /// Begins the solutions of a solver that was `edited` from that of `base`. The first solution is made of the last one
+  /// of `base`, where it can be.
   MovedSolutions(const SolverMesh& mesh, const MovedSolutions& base);
 
-  /// As `solver.solve(targets, makeF())`; `q` (n x 3) is all that `makeF` depends on. O(n) from the third solution of a
-  /// drag on where it rotates nothing. Last digits depend on the solutions before.
+  /// Solves as `solver.solve(targets, makeF())`. `q` (n x 3) is all that `makeF` depends on. A drag that rotates
+  /// nothing costs O(n) from its third solution on. Last digits depend on the solutions before.
   [[nodiscard]] SolvedDisplacement solve(const ConstrainedSolver& solver, const RowTargets& targets, const Columns3& q,
                                          const std::function<Columns3()>& makeF);
 
@@ -46,7 +48,7 @@ class MovedSolutions {
     Eigen::Matrix3d by = Eigen::Matrix3d::Zero();
   };
 
-  /// How far it reaches, n x 3, when the rows of groups 1, 2 and 3 move by 1: a column for each.
+  /// How far the displacement reaches, n x 3, when the rows of groups 1, 2 and 3 move by 1: a column for each group.
   struct Response {
     std::vector<int> groupOf;  // of each row; 0 where it stays
     Displacement reach;
@@ -59,22 +61,22 @@ class MovedSolutions {
   };
 
   [[nodiscard]] std::shared_ptr<const Columns3> f() const { return {wanted_, &wanted_->f}; }
-  /// The groups of rows that move; none where there are more than three. Differences up to `rounding` count as none:
-  /// what they ask for is left to `ConstrainedSolver::meet`.
+  /// Returns the groups of rows that move, and none where there are more than three. Differences up to `rounding` count
+  /// as none. `ConstrainedSolver::meet` meets what they ask for.
   [[nodiscard]] static std::optional<Moves> movesOf(const Columns3& asked, double rounding);
-  /// The last solution that was solved for, and what the moves add to it.
+  /// Returns the last solution that was solved for, plus what the moves add to it.
   [[nodiscard]] Displacement moved(const ConstrainedSolver& solver, const Moves& moves);
   [[nodiscard]] Displacement nearest(const Eigen::VectorXd& asked) const;
 
   double rounding_ = 0;  // of shifts, model units
-  double farthest_ = 0;  // that rows move from a solution until there is another one
+  double farthest_ = 0;  // how far rows move from a solution until there is another one
 
   std::shared_ptr<const Wanted> wanted_;  // of the last solution that was solved for
-  RowTargets targets_;                    // its own
-  std::deque<Answer> answers_;            // solved for lately, the last one last
+  RowTargets targets_;                    // those of that solution
+  std::deque<Answer> answers_;            // the ones solved for lately, the newest last
   Response response_;
   std::shared_ptr<const Displacement> last_;
-  std::shared_ptr<const Displacement> base_;  // from which the first solution begins
+  std::shared_ptr<const Displacement> base_;  // the first solution begins from it
 };
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// What constraints leave of the equations.
+/// The equations that constraints leave.
 
 #include <memory>
 
@@ -7,10 +7,10 @@
 
 namespace holdfast {
 
-/// A Q2 by columns. Most are columns of A, scaled: they are not stored.
+/// The columns of A Q2. Most are columns of A, scaled: they are not stored.
 class ReducedColumns {
  public:
-  /// Both stay alive and in place as long as this. O(multiplications) for the others.
+  /// Both must stay alive and in place as long as this. The other columns are computed here: O(multiplications).
   ReducedColumns(const EnergyMatrix& A, const SparseMatrix& Q2)
       : A_(A), Q2_(Q2), sums_(assembled<SparseMatrix>(A.rows(), Q2.cols(), [&](Index k, ColumnSum& sum) {
           if (isSum(k)) addProduct(sum, A, Q2, k);
@@ -37,8 +37,8 @@ class ReducedColumns {
   SparseMatrix sums_;
 };
 
-/// C = [A Q2; K], as a `LinearMap`: with u = Q2 z the equations of A, and rows K of their own. Columns of `P` may go
-/// on behind those of Q2.
+/// C = [A Q2; K], as a `LinearMap`. With u = Q2 z it has the equations of A, and rows K of their own. Columns of `P`
+/// may follow behind those of Q2.
 class ReducedMatrix {
  public:
   /// `A` m x n, `Q2` n x k, `P` n x p, `K` over all k + p columns.
@@ -52,17 +52,17 @@ class ReducedMatrix {
   [[nodiscard]] const std::shared_ptr<const TwoWayMatrix>& Q2() const noexcept { return Q2_; }
   [[nodiscard]] const SparseRows& K() const noexcept { return K_; }
 
-  /// u = [Q2 P] z, n x 3.
+  /// Returns u = [Q2 P] z, n x 3.
   [[nodiscard]] Columns3 spread(const Columns3& z) const;
 
-  /// C z; f - C z; C^T f. O(entries of A).
+  /// These return C z, f - C z and C^T f. O(entries of A).
   [[nodiscard]] Columns3 times(const Columns3& z) const;
   [[nodiscard]] Columns3 residual(const Columns3& f, const Columns3& z) const;
   [[nodiscard]] Columns3 transposeTimes(const Columns3& f) const;
 
-  /// The lower triangle of C^T C, without columns of `P`. O(multiplications).
+  /// Returns the lower triangle of C^T C, without columns of `P`. O(multiplications).
   [[nodiscard]] SparseMatrix gramLower() const;
-  /// C as one matrix, without columns of `P`. O(multiplications).
+  /// Returns C as one matrix, without columns of `P`. O(multiplications).
   [[nodiscard]] std::shared_ptr<const TwoWayMatrix> matrix() const;
 
  private:

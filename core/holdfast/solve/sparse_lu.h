@@ -14,7 +14,8 @@ struct SparseLu {
   Index nonzeros = 0;
 };
 
-/// Nothing where the matrix is singular. That of SuiteSparse (UMFPACK) is defined where that is built.
+/// Factorises K. Returns nothing where the matrix is singular. The function of SuiteSparse (UMFPACK) is defined only
+/// where that is built.
 [[nodiscard]] std::optional<SparseLu> luBySuiteSparse(const SparseMatrix& K);
 [[nodiscard]] std::optional<SparseLu> luByEigen(const SparseMatrix& K);
 

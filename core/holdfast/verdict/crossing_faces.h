@@ -10,8 +10,9 @@
 
 namespace holdfast {
 
-/// Whether an edge of one triangle runs through the inside of the other, by more than `touch` on both sides of it.
-/// Triangles that share a vertex may cross elsewhere; those that share an edge, or lie in one plane, do not.
+/// Tells whether an edge of one triangle runs through the inside of the other, by more than `touch` on both sides of
+/// it. Triangles that share a vertex may cross elsewhere. Triangles that share an edge, or lie in one plane, do not
+/// cross.
 [[nodiscard]] bool areCrossing(const Triangle& a, const Triangle& b, const Positions& positions, double touch);
 
 struct CrossingTriangles {
@@ -19,15 +20,15 @@ struct CrossingTriangles {
   bool areAll = true;          ///< false where so many boxes meet that the search was given up
 };
 
-/// Finds them for one surface again and again: the tree is that of the surface at rest.
+/// Finds crossing triangles of one surface again and again. The tree is that of the surface at rest.
 class CrossingSearch {
  public:
-  /// O(T log T). The rest stays alive as long as this.
+  /// `rest` and `atRest` must stay alive as long as this. O(T log T).
   CrossingSearch(const RestSurface& rest, const Positions& atRest);
 
-  /// The triangles that cross others. Those that cross others at rest are left out with their neighbours:
-  /// where a surface passes through itself already, it says nothing of the deformation. O(T log T), over all cores:
-  /// surfaces that are crumpled all over are looked at in part. Throws what `progress` throws.
+  /// Returns the triangles that cross others. It leaves out those that cross others at rest, with their neighbours:
+  /// where a surface passes through itself already, that says nothing of the deformation. O(T log T), over all cores.
+  /// It looks at only a part of surfaces that are crumpled all over. Throws what `progress` throws.
   [[nodiscard]] CrossingTriangles find(const Positions& now, Progress& progress = noProgress());
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Vertices that stand out of a deformed surface by far more than the constraints near them ask for: points that nearly
+/// Vertices that stand out of a deformed surface by far more than the constraints near them ask for. Points that nearly
 /// contradict one another are met all the same, at the expense of the vertices that they hang on.
 
 #include <optional>
@@ -11,24 +11,25 @@
 
 namespace holdfast {
 
-/// The center of a face whose other two corners are held moves the third by three times as much. Where a vertex stands
-/// out by more than this factor of what is asked for near it, targets are enlarged more than any single place explains.
+/// Where the other two corners of a face are held, its centre moves the third by three times as much. A vertex may
+/// stand out by more than this factor of what is asked for near it. Then targets are enlarged more than any single
+/// place explains.
 inline constexpr double kOvershootLimit = 4;
 
 struct Overshoot {
   double largest = 0;           ///< how far a vertex stands out at most, beyond how it does at rest; model units
   double asked = 0;             ///< the largest difference that constraints near one of `vertices` ask for; model units
   std::vector<Index> vertices;  ///< of the file, those beyond the limit, ascending
-  std::vector<Index> constraints;  ///< places in the list of those whose points hang on them, ascending
+  std::vector<Index> constraints;  ///< list places of those whose points hang on them, ascending
 };
 
-/// Whether the row says where a point is, or lies to another, that hangs on several vertices.
+/// Tells whether the row says where a point is that hangs on several vertices, or how it lies to another.
 [[nodiscard]] bool hangsOnSeveral(const ConstraintRow& row);
 
-/// Measures the vertices on which points inside of faces and edges hang. A vertex stands out by the distance from the
-/// mean of its neighbours, which no rotation changes. What is asked for near it: how much the shifts of rows differ
-/// that hang on it or on its neighbours, from one another and from the mean of the part. O(rows times neighbours); more
-/// where something is found.
+/// Measures the vertices on which points inside faces and edges hang. A vertex stands out by its distance from the mean
+/// of its neighbours, which no rotation changes. What is asked for near it comes from the rows that hang on it or on
+/// its neighbours. It is how much their shifts differ, from one another and from the mean of the part. O(rows times
+/// neighbours); more where something is found.
 class OvershootSearch {
  public:
   explicit OvershootSearch(const RestSurface& rest, Index vertexCount);

@@ -1,5 +1,5 @@
 #pragma once
-/// What a deformed surface is compared with: the surface at rest, measured once for a mesh.
+/// The surface at rest, measured once for a mesh. A deformed surface is compared with it.
 
 #include <array>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace holdfast {
 
-/// The two triangles of an edge that no others have.
+/// The two triangles of an edge that no other triangle has.
 struct Hinge {
   int first = 0;
   int second = 0;
@@ -18,20 +18,22 @@ struct Hinge {
   float flatCosine = -2;  ///< above this cosine of their normals they are not folded; -2 for needles, which never are
 };
 
-/// An angle between neighbours that changes by more than this folds them. Two thirds of the way to lying back on back:
-/// a surface that bends by more from one triangle to the next has lost its shape there, however coarse it is.
+/// Two neighbours fold where the angle between them changes by more than this. It is two thirds of the way to lying
+/// back on back. A surface that bends by more from one triangle to the next has lost its shape there, however coarse it
+/// is.
 inline constexpr double kFoldDegrees = 120;
 
-/// Edges shorter than this share of the diagonal are at the same place, and triangles of such edges have no area.
+/// The ends of edges shorter than this share of the diagonal are at the same place. Triangles of such edges have no
+/// area.
 inline constexpr double kNoLength = 1e-7;
 
-/// All lengths are in diagonals. 60 bytes a triangle.
+/// The measured surface. All lengths are in diagonals. It takes 60 bytes a triangle.
 struct RestSurface {
-  /// O(T log T).
+  /// Measures the mesh at rest. O(T log T).
   explicit RestSurface(const SolverMesh& mesh);
 
   std::vector<Triangle> triangles;  ///< vertices of the file, one for each unknown
-  /// One over the squares of the three sides (0-1, 1-2, 2-0) and of twice the area; 0 where these are nothing.
+  /// One over the squares of the three sides (0-1, 1-2, 2-0) and of twice the area. 0 where these are nothing.
   std::vector<std::array<float, 4>> inverseSquares;
   std::vector<std::uint8_t> ownSides;  ///< bit k: side k of the triangle counts for its edge, which others share
   std::vector<int> partOf;             ///< of each triangle
@@ -61,7 +63,8 @@ struct TriangleShape {
           {ab.y() * ac.z() - ab.z() * ac.y(), ab.z() * ac.x() - ab.x() * ac.z(), ab.x() * ac.y() - ab.y() * ac.x()}};
 }
 
-/// How far the two triangles of a hinge are bent about its edge, from -180 to 180 degrees; 0 where one has no area.
+/// Returns how far the two triangles of a hinge are bent about its edge, from -180 to 180 degrees. 0 where one has no
+/// area.
 [[nodiscard]] double bendDegrees(const RestSurface& surface, const Hinge& hinge, const Positions& positions);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// Looks at the results of one mesh: what each frame of a drag can afford, and what waits until it rests.
+/// Checks of the results of one mesh. Some can be afforded in each frame of a drag; others wait until it rests.
 
 #include <memory>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace holdfast {
 
-/// Numbers, and the findings that they lead to.
+/// The numbers of a result, and the findings that they lead to.
 struct CheckedResult {
   ResultVerdict verdict;
   Findings findings;
@@ -19,15 +19,16 @@ struct CheckedResult {
 
 class ResultCheck {
  public:
-  /// Both stay alive as long as this. O(T log T).
+  /// `mesh` and `atRest` must stay alive as long as this. O(T log T).
   ResultCheck(const SolverMesh& mesh, const Positions& atRest);
 
-  /// Folds, edges, areas, volumes and vertices that overshoot at `now`, finite positions of the file's vertices under
-  /// `system`. O(T + rows), over all cores.
+  /// Checks folds, edges, areas, volumes and vertices that overshoot. `now` has the finite positions of the file's
+  /// vertices under `system`. O(T + rows), over all cores.
   [[nodiscard]] CheckedResult ofFrame(const Positions& now, const ConstraintSystem& system);
 
-  /// Adds the rest to `verdict`, that of a frame; returns the findings about it: faces that are inverted or cross
-  /// others, targets, regions that stay level. O(T log T), over all cores. Throws what `progress` throws.
+  /// Adds the rest to `verdict`, which is that of a frame, and returns the findings about it. These are about faces
+  /// that are inverted or cross others, about targets, and about regions that stay level. O(T log T), over all cores.
+  /// Throws what `progress` throws.
   [[nodiscard]] Findings addRest(ResultVerdict& verdict, const Positions& now, const ConstraintSystem& system,
                                  RotationSource rotations, Progress& progress = noProgress());
 
@@ -41,10 +42,10 @@ class ResultCheck {
   std::optional<CrossingSearch> crossings_;   // made when it is first needed
 };
 
-/// Enters the kinds of findings about a result in its verdict, and what they make of it.
+/// Enters the kinds of `findings` about a result in its verdict, and what they make of it.
 void takeOver(const Findings& findings, ResultVerdict& verdict);
 
-/// Targets as `ResultVerdict` has them.
+/// Returns targets as `ResultVerdict` has them.
 [[nodiscard]] std::vector<TargetMotion> targetMotionsOf(const std::vector<WholeMotion>& motions);
 
 }  // namespace holdfast

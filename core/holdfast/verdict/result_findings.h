@@ -1,5 +1,5 @@
 #pragma once
-/// What is said of a result: one finding for each thing that its user would not call fine. docs/errors.md lists them.
+/// The findings about a result: one for each thing that its user would not call fine. docs/errors.md lists them.
 
 #include <vector>
 
@@ -12,20 +12,20 @@
 
 namespace holdfast {
 
-/// The file faces at hinges, ascending, each once.
+/// Returns the file faces at hinges, ascending, each once.
 [[nodiscard]] std::vector<Index> facesAtFolds(const DeformedSurface& surface, const std::vector<int>& hinges);
 
-/// Folds, edges, areas and volumes beyond their limits.
+/// Adds findings about folds, edges, areas and volumes beyond their limits.
 void addShapeFindings(Findings& findings, const DeformedSurface& surface, const ShapeChange& change);
 
 void addOvershootFindings(Findings& findings, const Overshoot& overshoot);
 
-/// Of triangles, see `invertedTriangles` and `CrossingSearch`.
+/// These add findings about triangles, see `invertedTriangles` and `CrossingSearch`.
 void addInverted(Findings& findings, const SolverMesh& mesh, const std::vector<int>& triangles);
 void addCrossing(Findings& findings, const SolverMesh& mesh, const CrossingTriangles& crossing);
 
-/// Of targets that are their points turned, scaled or shifted as a whole, as far as the detail of the surface shows it:
-/// a rotation where rotations are given, and none is.
+/// Adds findings about targets that are their points turned, scaled or shifted as a whole, as far as the detail of the
+/// surface shows it. A rotation counts where rotations are given and none is.
 void addTargetFindings(Findings& findings, const SolverMesh& mesh, const ConstraintSystem& system,
                        RotationSource rotations);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// What targets say together: that they are the points turned, shifted or scaled as a whole, that two of them were
-/// swapped, or that a region is to stay level where the surface around it tilts.
+/// What targets say together. They may be the points turned, shifted or scaled as a whole. Two of them may have been
+/// swapped. Or a region is to stay level where the surface around it tilts.
 
 #include <optional>
 #include <vector>
@@ -16,25 +16,26 @@ struct WholeMotion {
   Vector3 q = Vector3::Zero();      ///< log of the rotation
   double scale = 1;                 ///< about the mean of the points
   Vector3 shift = Vector3::Zero();  ///< of the mean of the points, model units
-  double moved = 0;                 ///< how far targets lie from points without the mean shift, root of the mean square
-  double left = 0;                  ///< how far they lie from what the motion makes of the points, the same
+  double moved = 0;                 ///< how far targets lie from points without the mean shift, root mean square
+  double left = 0;                  ///< how far they lie from the points so moved, root mean square
   std::vector<Index> constraints;   ///< places in the list, ascending
 
-  /// Whether it is what targets say, and what is left is a deformation.
+  /// Tells whether this motion is what targets say, and what is left is a deformation.
   [[nodiscard]] bool explainsTargets() const;
 };
 
-/// A detail that is off by a tenth of its own size is seen. A rotation of 5.7 degrees and a factor of 1.1 do that.
+/// A detail is seen to be off when it is off by a tenth of its own size. A rotation of 5.7 degrees and a factor of 1.1
+/// do that.
 inline constexpr double kVisibleDetail = 0.1;
 
-/// Where what is left of the distances is more than this share, targets say more than one motion.
+/// Where more than this share of the distances is left, targets say more than one motion.
 inline constexpr double kLargestShareLeft = 0.25;
 
-/// Of each part with three points or more that are not on a line. O(rows).
+/// Returns the motion of each part with three points or more that are not on a line. O(rows).
 [[nodiscard]] std::vector<WholeMotion> wholeMotions(const ConstraintSystem& system, const SolverMesh& mesh);
 
-/// Places in the list of points whose targets would be met far better by each other, in pairs, and of vectors that are
-/// the opposite of what they are at rest. O(rows log rows).
+/// Returns the places in the list of points whose targets would be met far better by each other, in pairs. It also
+/// returns vectors that are the opposite of what they are at rest. O(rows log rows).
 [[nodiscard]] std::vector<Index> swappedTargets(const ConstraintSystem& system, const SolverMesh& mesh);
 
 /// A region that goes where the surface moves it and does not turn with it.
@@ -43,8 +44,8 @@ struct LevelRegion {
   double degrees = 0;    ///< between its rotation and that of the surface around it
 };
 
-/// Rigid regions, and handles that state no rotation, that stay level while the surface around them turns by an angle
-/// that is seen. O(rows + vertices times regions).
+/// Returns rigid regions, and handles that state no rotation, that stay level. The surface around them turns meanwhile,
+/// by an angle that is seen. O(rows + vertices times regions).
 [[nodiscard]] std::vector<LevelRegion> levelRegions(const DeformedSurface& surface, const ConstraintSystem& system);
 
 }  // namespace holdfast

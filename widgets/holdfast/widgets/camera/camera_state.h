@@ -10,28 +10,33 @@
 
 namespace holdfast {
 
+/// Returns the state of a camera as sessions keep it.
 [[nodiscard]] Camera cameraOf(vtkCamera& camera);
 
-/// Sets the view up to the unit vector along `up` that stays bit for bit when VTK normalizes it again.
+/// Sets the view up to the unit vector along `up` that stays bit for bit when VTK normalises it again.
 void setViewUp(vtkCamera& camera, const Vector3& up);
 
-/// `cameraOf` gives `state` back where `setViewUp` has set its view up. Set the view angle and clipping planes, too.
+/// Gives the camera a state. `cameraOf` gives `state` back where `setViewUp` has set its view up. Set the view angle
+/// and clipping planes, too.
 void place(vtkCamera& camera, const Camera& state);
 
-/// Rotates eye and focal point about `pivot` (model units), which stays where it is on the screen: `degreesRight` about
-/// the camera's up, `degreesUp` about its right. There is no pole at which it stops or flips.
+/// Rotates eye and focal point about `pivot` (model units), which stays where it is on the screen. They rotate by
+/// `degreesRight` about the camera's up, and by `degreesUp` about its right. There is no pole at which the motion stops
+/// or flips.
 void orbit(vtkCamera& camera, const Vector3& pivot, double degreesRight, double degreesUp);
 
 /// Shifts the camera across the view so that `anchor`, which was under `from`, comes to lie under `to`.
 void pan(vtkRenderer& renderer, const Vector3& anchor, const DisplayPoint& from, const DisplayPoint& to);
 
-/// Divides the distance from `anchor`, which stays in its pixel, to the eye by `factor`, or magnifies a parallel view.
+/// Divides the distance from `anchor` to the eye by `factor`, or magnifies a parallel view by it. `anchor` stays in its
+/// pixel.
 void zoom(vtkRenderer& renderer, const Vector3& anchor, double factor);
 
-/// Where `display` is at the depth of `reference`: a place in model units.
+/// Returns the place in model units that is at `display`, at the depth of `reference`.
 [[nodiscard]] Vector3 atDepthOf(vtkRenderer& renderer, const Vector3& reference, const DisplayPoint& display);
 
-/// Where a place is in the window; the third number is its depth in [0, 1] as far as it is between the clipping planes.
+/// Returns where a place is in the window. The third number is its depth, which is in [0, 1] between the clipping
+/// planes.
 [[nodiscard]] Vector3 toDisplay(vtkRenderer& renderer, const Vector3& place);
 
 /// A camera's frame: right-handed unit vectors.
@@ -41,31 +46,33 @@ struct ViewFrame {
   Vector3 back;  ///< from the mesh to the eye
 };
 
-/// The camera's present one.
+/// Returns the camera's present frame.
 [[nodiscard]] ViewFrame frameOf(vtkCamera& camera);
 
-/// The axis of the model that is up. x is to the right of who looks from the front, at -y where z is up, at +z where y
-/// is.
+/// The axis of the model that is up. x is to the right of a viewer who looks from the front. The front is at -y where z
+/// is up, and at +z where y is up.
 enum class UpAxis { Y, Z };
 
-/// A direction of a model whose z is up, as it is in one whose `up` is.
+/// Turns a direction of a model whose z is up into that of a model whose `up` is up.
 [[nodiscard]] inline Vector3 upright(UpAxis up, const Vector3& direction)
 {
   return up == UpAxis::Z ? direction : Vector3(direction.x(), direction.z(), -direction.y());
 }
 
-/// The eye is in front of the longer side (the front or the right one), rotated by a third of a right angle towards the
-/// other of these two, and raised, higher above flat meshes.
+/// Returns the frame of a first view. The eye is in front of the longer side, which is the front or the right one. It
+/// is rotated by about a third of a right angle towards the other of these two. It is also raised, and higher above
+/// flat meshes.
 [[nodiscard]] ViewFrame defaultFrame(const Positions& positions, UpAxis up = UpAxis::Z);
 
-/// Shares of the picture's width.
+/// How much of the picture stays free at each side, as shares of its width.
 struct FreeSides {
   double left = 0;
   double right = 0;
 };
 
-/// Places `camera` along `frame`, as near as `points` (one at least) fit a picture of width / height `aspect` between
-/// two sides that stay free; in parallel projection as large as they fit. O(N).
+/// Places `camera` along `frame` so that `points` fit a picture of width / height `aspect`. There is at least one
+/// point. The two sides of the picture stay free. The camera goes as near as the points fit; in parallel projection it
+/// shows them as large as they fit. O(N).
 void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect, const FreeSides& free = {});
 
 }  // namespace holdfast

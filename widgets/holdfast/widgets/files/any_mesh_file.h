@@ -1,5 +1,6 @@
 #pragma once
-/// Mesh files of every format that is known where VTK is: the core's and VTK's.
+/// These functions read and write mesh files of every format that is known where VTK is: those of the core and those of
+/// VTK.
 
 #include <filesystem>
 #include <string_view>
@@ -9,15 +10,24 @@
 
 namespace holdfast {
 
-/// The formats that are read and written, lower case with the dot, the core's first.
+/// Returns the extensions of the formats that are read and written, in lower case with the dot. Those of the core come
+/// first.
 [[nodiscard]] std::vector<std::string_view> anyMeshExtensions();
-/// The same and legacy VTK (.vtk), which is written only.
+/// Returns the same extensions and that of legacy VTK (.vtk), which is written but not read.
 [[nodiscard]] std::vector<std::string_view> anyOutputExtensions();
 
-/// As `readMesh` or `readPolyData`, by the extension (any case).
+/// Reads a mesh file as `readMesh` or `readPolyData` does. The extension, in any case, names the format. Throws
+/// `InputError` as they do.
+///
+///     const MeshDocument document = readAnyMesh("part.vtp");
+///     const Model model = makeModelOfFile(document, "part.vtp");
+///     const DeformResult result = deform(model, readConstraints("points.csv"));
+///     const Serialized file = serializeAnyMesh(document, result.positions, "deformed.vtp");
+///     std::ofstream("deformed.vtp", std::ios::binary) << file.bytes;
 [[nodiscard]] MeshDocument readAnyMesh(const std::filesystem::path& path);
 
-/// As `serializeMesh` or `serializePolyData`, by the extension of `path` (any case), which errors name.
+/// Returns the contents of a file as `serializeMesh` or `serializePolyData` does. The extension of `path`, in any case,
+/// names the format. Throws `OutputError`, which names `path`.
 [[nodiscard]] Serialized serializeAnyMesh(const MeshDocument& document, const Positions& positions,
                                           const std::filesystem::path& path);
 

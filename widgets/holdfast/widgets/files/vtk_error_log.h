@@ -1,5 +1,5 @@
 #pragma once
-/// Errors of VTK, kept instead of printed on the console.
+/// A log keeps errors of VTK that would otherwise be printed on the console.
 
 #include <string>
 
@@ -9,7 +9,13 @@
 
 namespace holdfast {
 
-/// While one lives, nothing of VTK reaches the console: some of its warnings belong to no object.
+/// A log keeps the first error of the objects that it watches. While any log lives, nothing of VTK reaches the console
+/// of the process: some of VTK's warnings belong to no object.
+///
+///     VtkErrorLog log;
+///     log.watch(*writer);
+///     writer->Write();
+///     if (!log.isEmpty()) std::cerr << log.first() << '\n';
 class VtkErrorLog {
  public:
   VtkErrorLog();
@@ -17,11 +23,12 @@ class VtkErrorLog {
   VtkErrorLog(const VtkErrorLog&) = delete;
   VtkErrorLog& operator=(const VtkErrorLog&) = delete;
 
-  /// Gets the errors of `object` from now on.
+  /// Receives the errors of `object` from now on.
   void watch(vtkObject& object) { object.AddObserver(vtkCommand::ErrorEvent, observer_); }
 
   [[nodiscard]] bool isEmpty() const { return observer_->first.empty(); }
-  /// The first error, without VTK's source line and object address: what came first caused the others.
+  /// Returns the first error, without VTK's source line and object address. The first error caused those that came
+  /// after it.
   [[nodiscard]] const std::string& first() const { return observer_->first; }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-/// XML PolyData (.vtp). A reader of our own over VTK's XML parser, because VTK's reader believes types, counts, offsets
-/// and sizes that a file states, and ends the program where they are wrong.
+/// This reader reads XML PolyData (.vtp) by VTK's XML parser. VTK's own reader believes the types, counts, offsets and
+/// sizes that a file states. Where they are wrong, it ends the program.
 
 #include <cstdint>
 #include <functional>
@@ -23,60 +23,70 @@
 
 namespace holdfast {
 
+/// The contents of a file, and what the reader had to change.
 struct VtpContents {
   vtkSmartPointer<vtkPolyData> polyData;
   std::set<std::string> lostKeys;  ///< names of the information keys that are not in `polyData`
-  /// Names that arrays got in `polyData` because they had none, or that of another one.
+  /// The names that arrays got in `polyData` because they had none, or because another array had the same one.
   std::set<std::string> newNames;
-  std::string compressor;  ///< as the file names it; empty where it compresses nothing
+  std::string compressor;  ///< the compressor that the file names; empty where nothing is compressed
 };
 
-/// The surface in the bytes of a file, with all its arrays; pieces are joined. Throws `InputError` about `file`, with
-/// the line, where it is no PolyData, has steps of time, or where an array is not what its place needs. What arrays
-/// take of the file, and texts of elements, come to no more than the file: memory is bounded by what compression
-/// explains. O(bytes, uncompressed).
+/// Reads the surface in the bytes of a file, with all its arrays. Pieces are joined. Throws `InputError` about `file`,
+/// with the line. It does so where the file is no PolyData or has steps of time. It also does where an array is not
+/// what its place needs.
+///
+/// All arrays and texts of elements together take no more bytes than the file has. Memory is therefore bounded by what
+/// compression explains. O(bytes, uncompressed).
+///
+///     const VtpContents contents = readVtp(bytes, "part.vtp");
+///     for (const std::string& key : contents.lostKeys) std::cerr << "not kept: " << key << '\n';
+///     mapper->SetInputData(contents.polyData);
 [[nodiscard]] VtpContents readVtp(const std::string& bytes, const std::string& file);
 
-/// An element with all that is in it. References to entities are resolved.
+/// An element of XML with all that is in it. References to entities are resolved.
 struct XmlElement {
   std::string name;
-  std::size_t place = 0;  ///< byte of the text where it begins
+  std::size_t place = 0;  ///< the byte of the text at which the element begins
   std::map<std::string, std::string, std::less<>> attributes;
-  std::string text;  ///< between its tags, without that of its children
+  std::string text;  ///< the text between its tags, without that of its children
   std::vector<XmlElement> children;
 
+  /// Returns the value of the attribute of that name. There is none where the element lacks it.
   [[nodiscard]] std::optional<std::string_view> attribute(std::string_view wanted) const;
-  /// The first child of that name, or null.
+  /// Returns the first child of that name, or null.
   [[nodiscard]] const XmlElement* child(std::string_view wanted) const;
 };
 
-/// The root of `text`. Throws `InputError` about `file` for what is no XML, nested more than 32 deep, or made longer by
-/// entities. O(text).
+/// Parses `text` and returns its root. Throws `InputError` about `file` for a text that is no XML. It does the same
+/// where elements are nested more than 32 deep, and where entities make the text longer. O(text).
 [[nodiscard]] XmlElement parseXml(const std::string& text, const std::string& file);
 
-/// How a file stores the numbers of its arrays (VTK File Formats, "XML File Formats").
+/// The way in which a file stores the numbers of its arrays (VTK File Formats, "XML File Formats").
 struct VtpEncoding {
   std::endian order = std::endian::little;
-  bool hasLongHeaders = false;  ///< sizes take eight bytes, not four
+  bool hasLongHeaders = false;  ///< sizes take eight bytes each, not four
   vtkSmartPointer<vtkDataCompressor> compressor;
-  std::string_view appended;  ///< what follows the underscore of AppendedData
+  std::string_view appended;  ///< all that follows the underscore of AppendedData
   bool isAppendedBase64 = false;
-  /// Bytes of the file that arrays may still take. Arrays may begin in one place, and then take what is there twice.
+  /// The number of bytes of the file that arrays may still take. Two arrays may begin in one place. Each of them then
+  /// takes the bytes there.
   std::shared_ptr<std::uint64_t> bytesLeft;
 };
 
-/// A fault of an element; the caller knows its place.
+/// A fault of an element. The caller knows the place of the element and adds it.
 class VtpFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// An attribute as a whole number from 0, or `absent` where it is not there. Throws `VtpFault`.
+/// Returns an attribute as a whole number, 0 or more. Where the element lacks it, returns `absent`. Throws `VtpFault`
+/// for anything else.
 [[nodiscard]] Index wholeAttribute(const XmlElement& element, std::string_view name, Index absent);
 
-/// The array of a DataArray or Array element. `tuples`: how many its place needs, where that is known. Throws
-/// `VtpFault` where its type is not known, its data are no whole tuples, or the file has no bytes left for it. Takes no
-/// memory for what the file only claims to hold. O(bytes of the array).
+/// Reads the array of a DataArray or Array element. `tuples` is the number that its place needs, where that is known.
+/// Throws `VtpFault` where its type is not known or its data are no whole tuples. It also throws where the file has no
+/// bytes left for the array. Bytes that the file only claims to hold take no memory. O(bytes of the array).
 [[nodiscard]] vtkSmartPointer<vtkAbstractArray> readVtpArray(const XmlElement& element, const VtpEncoding& encoding,
                                                              std::optional<Index> tuples);
 

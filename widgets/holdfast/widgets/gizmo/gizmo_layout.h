@@ -1,5 +1,6 @@
 #pragma once
-/// The parts of the gizmo: colours, layout on the display, how visible each is, and which one the cursor meets.
+/// The parts of the gizmo: their colours, their layout on the display, how visible each is, and which one the cursor
+/// meets.
 
 #include <holdfast/base/types.h>
 #include <holdfast/widgets/camera/display_transform.h>
@@ -7,10 +8,10 @@
 
 namespace holdfast {
 
-/// A part that can be grabbed. The square of an axis is across it.
+/// The parts that can be grabbed, and `None`. The square of an axis lies across it.
 enum class GizmoPart { None, Center, ArrowX, ArrowY, ArrowZ, SquareX, SquareY, SquareZ, RingX, RingY, RingZ, ViewRing };
 
-inline constexpr int kGizmoPartCount = 12;  ///< `None` included
+inline constexpr int kGizmoPartCount = 12;  ///< how many parts there are, with `None`
 
 enum class GizmoPartKind { None, Center, Arrow, Square, Ring, ViewRing };
 
@@ -23,13 +24,13 @@ enum class GizmoPartKind { None, Center, Arrow, Square, Ring, ViewRing };
   return part <= GizmoPart::RingZ ? GizmoPartKind::Ring : GizmoPartKind::ViewRing;
 }
 
-/// Whether the part rotates; all others but `None` move.
+/// Tells whether the part rotates. All other parts but `None` move.
 [[nodiscard]] constexpr bool isRotation(GizmoPart part)
 {
   return kindOf(part) == GizmoPartKind::Ring || kindOf(part) == GizmoPartKind::ViewRing;
 }
 
-/// 0, 1 and 2 for what belongs to x, y and z; -1 for what belongs to no axis.
+/// Returns 0, 1 and 2 for a part that belongs to x, y and z, and -1 for one that belongs to no axis.
 [[nodiscard]] constexpr int axisIndexOf(GizmoPart part)
 {
   const GizmoPartKind kind = kindOf(part);
@@ -37,7 +38,7 @@ enum class GizmoPartKind { None, Center, Arrow, Square, Ring, ViewRing };
   return hasAxis ? (static_cast<int>(part) - static_cast<int>(GizmoPart::ArrowX)) % 3 : -1;
 }
 
-/// The place of a gizmo: the columns of `axes` are orthonormal and right-handed.
+/// The place of a gizmo. The columns of `axes` are orthonormal and right-handed.
 struct GizmoFrame {
   Vector3 center = Vector3::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
@@ -45,7 +46,7 @@ struct GizmoFrame {
 
 inline constexpr Color kHighlightColor{0.98, 0.76, 0.18};
 
-/// The colour of a part that is not highlighted.
+/// Returns the colour of a part that is not highlighted.
 [[nodiscard]] constexpr Color gizmoColor(GizmoPart part)
 {
   constexpr Color kOfAxes[]{{0.84, 0.27, 0.24}, {0.33, 0.74, 0.52}, {0.15, 0.36, 0.74}};
@@ -53,7 +54,7 @@ inline constexpr Color kHighlightColor{0.98, 0.76, 0.18};
   return part == GizmoPart::ViewRing ? Color{0.50, 0.53, 0.58} : Color{0.93, 0.94, 0.96};
 }
 
-/// Lengths in radii of the outer ring.
+/// These lengths are in radii of the outer ring.
 namespace gizmo_layout {
 inline constexpr double kBallRadius = 0.055;
 inline constexpr double kShaftStart = 0.11;
@@ -71,20 +72,23 @@ struct GizmoPlacement {
   double scale = 1;  ///< radius of the outer ring, model units
 };
 
-/// The outer ring has a radius of `pixels`; of no size (0) where it is not in front of the eye.
+/// Returns the placement by which the outer ring has a radius of `pixels`. Its scale is 0 where the gizmo is not in
+/// front of the eye.
 [[nodiscard]] GizmoPlacement placementOf(const DisplayTransform& view, const GizmoFrame& frame, double pixels);
 
-/// From 0 (gone) to 1: arrows that point to the eye, and rings and squares that are seen edge-on, fade.
+/// Returns how visible a part is, from 0 (gone) to 1. Arrows that point to the eye fade, as do rings and squares that
+/// are seen edge-on.
 [[nodiscard]] double visibilityOf(GizmoPart part, const GizmoFrame& frame, const DisplayTransform& view);
 
-/// From nearly 0 where a ring faces away from the eye to 1. `arm`: the unit direction from the center to the place.
+/// Returns how visible a ring is at one place: 1 where it faces the eye, down to 0.16 where it faces away. `arm` is the
+/// unit direction from the centre to the place. `sight` is the unit direction in which the gizmo is seen.
 [[nodiscard]] double ringVisibility(const Vector3& arm, const Vector3& sight);
 
-/// Less visible parts cannot be hit.
+/// The least visibility of a part that can be hit.
 inline constexpr double kLeastVisible = 0.5;
 
-/// The part that the cursor meets: within 6 of 100 pixels of radius; of several the center first, then arrows, squares,
-/// rings, the outer ring; of several of a kind the nearest.
+/// Returns the part that the cursor meets: one that is within 6 of 100 pixels of radius. Of several the centre comes
+/// first, then arrows, squares, rings, and the outer ring. Of several of one kind it is the nearest.
 [[nodiscard]] GizmoPart hitGizmo(const DisplayTransform& view, const GizmoPlacement& placement,
                                  const DisplayPoint& cursor);
 

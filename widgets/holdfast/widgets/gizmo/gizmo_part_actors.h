@@ -16,24 +16,26 @@
 
 namespace holdfast {
 
-/// A lit surface of triangles, in radii of the outer ring, about the origin along the coordinate axes.
+/// A lit surface of triangles, in radii of the outer ring. It lies about the origin, along the coordinate axes.
 struct GizmoShape {
   std::vector<Vector3> points;
-  std::vector<Vector3> normals;   ///< of unit length, one a point
-  std::vector<double> opacities;  ///< one a point
-  std::vector<Vector3> arms;      ///< of rings: from the center to the point's place on the ring; else empty
+  std::vector<Vector3> normals;                 ///< of unit length, one for each point
+  std::vector<double> opacities;                ///< one for each point
+  std::vector<Vector3> arms;                    ///< of a ring, from the centre to each point's place on it; else empty
   std::vector<std::array<Index, 3>> triangles;  ///< counterclockwise seen from outside
 };
 
-/// The shape of a part that is not `None`. The outer ring lies across z.
+/// Returns the shape of a part that is not `None`. The outer ring lies across z.
 [[nodiscard]] GizmoShape gizmoShape(GizmoPart part);
 
-/// Solid and translucent triangles are two actors: the translucent ones are drawn after the solid ones of all parts.
+/// Draws a part by two actors, one for its solid and one for its translucent triangles. The translucent ones are drawn
+/// after the solid ones of all parts.
 class GizmoPartActors {
  public:
   explicit GizmoPartActors(GizmoPart part);
 
-  /// `visibility` 0 hides it. `sight`: the unit direction in which the gizmo is seen. O(points).
+  /// Places the part and sets its colour. `visibility` 0 hides it. `sight` is the unit direction in which the gizmo is
+  /// seen. O(points).
   void show(const GizmoPlacement& placement, const Color& color, double visibility, const Vector3& sight);
 
   [[nodiscard]] GizmoPart part() const noexcept { return part_; }
@@ -51,6 +53,7 @@ class GizmoPartActors {
   vtkNew<vtkActor> faded_;
 };
 
+/// A drag as its trace shows it: where it began, and its motion so far.
 struct GizmoTrace {
   GizmoPart part = GizmoPart::None;
   GizmoFrame from;                    ///< where the drag began
@@ -58,11 +61,13 @@ struct GizmoTrace {
   GizmoMotion motion;
 };
 
+/// Draws the trace of a drag: lines, the ends of a translation, or the sector of a rotation.
 class GizmoTraceActors {
  public:
   GizmoTraceActors();
 
-  /// `radius`: of the part that is dragged, model units; `pixels`: of the gizmo's outer ring.
+  /// Shows the trace. `radius` is that of the part that is dragged, in model units; `pixels` is the radius of the
+  /// gizmo's outer ring.
   void show(const GizmoTrace& trace, double radius, double pixels);
   void hide();
 

@@ -19,26 +19,27 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   static ConstraintMarkRepresentation* New();
   vtkTypeMacro(ConstraintMarkRepresentation, vtkWidgetRepresentation)
 
-  /// Marks that can be found; null, the default: none.
+  /// Sets the marks that can be found. With null, the default, no mark is found.
   void SetMarks(std::shared_ptr<const MarkSet> marks) { assign(*this, this->Marks, std::move(marks)); }
 
-  /// What is drawn: regions are found by its faces, too. Null, the default: by their marks only.
+  /// Sets the surface that is drawn. Regions are then found by their faces, too. With null, the default, they are found
+  /// by their marks only.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface) { this->Surface = std::move(surface); }
 
-  /// Marks whose places it cuts away are not found; none by default.
+  /// Sets the section plane. Marks whose places it cuts away are not found. By default there is no plane.
   void SetSection(const std::optional<SectionPlane>& section) { this->Section = section; }
 
-  /// How near the cursor a mark is found, pixels of a display of ordinary resolution; 9 by default.
+  /// Sets how near to the cursor a mark is found, in pixels of a display of ordinary resolution. The default is 9.
   vtkSetClampMacro(ReachPixels, double, 0.0, VTK_DOUBLE_MAX);
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
   vtkGetMacro(PixelRatio, double);
 
-  /// The constraint, as a place in the list, of the nearest mark at a pixel of the renderer's window, hidden or not. A
-  /// mark of a single point comes before one of a region in the same place. Without a mark near it, the first region
-  /// that has all corners of the face there. O(marks).
+  /// Returns the constraint of the mark that is nearest to a pixel of the renderer's window, as a place in the list.
+  /// The mark may be hidden by the surface. A mark of a single point comes before one of a region in the same place.
+  /// Without a mark near the pixel, it returns the first region that has all corners of the face there. O(marks).
   [[nodiscard]] std::optional<Index> FindConstraint(double displayX, double displayY) const;
 
-  /// Whether any mark is of this constraint. O(marks).
+  /// Tells whether any mark is of this constraint. O(marks).
   [[nodiscard]] bool HasMarksOf(Index constraint) const;
 
   void BuildRepresentation() override {}
@@ -57,14 +58,28 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   double PixelRatio = 1;
 };
 
-/// The result of a click.
+/// The call data of `PickEvent`: what a click has chosen.
 struct ConstraintPick {
-  std::optional<Index> constraint;  ///< place in the list; none beside all marks
-  bool isAdded = false;             ///< Shift or Ctrl was held: it joins or leaves the selection
+  std::optional<Index> constraint;  ///< place in the list; none where the click was beside all constraints
+  bool isAdded = false;             ///< Shift or Ctrl was held: the constraint is to join or leave the selection
 };
 
-/// Watches the marks of constraints, and selects nothing by itself. Clicks are as in `Click`; the second press of a
-/// double click begins none.
+/// Reports the constraint under the cursor and the one that was clicked. It selects nothing and draws nothing itself. A
+/// click is as `Click` describes. The second press of a double click begins no click.
+///
+///     vtkNew<ConstraintMarkWidget> marks;
+///     marks->SetInteractor(interactor);
+///     marks->SetMarks(scene.sharedMarks());  // `scene` is a `SceneContents`
+///     marks->AddObserver(vtkCommand::HighlightEvent, &tool, &Tool::highlight);  // call data: `Index*`, or null
+///     marks->AddObserver(vtkCommand::PickEvent, &tool, &Tool::pick);            // call data: `ConstraintPick*`
+///     marks->On();
+///
+/// These are the bindings, each with its widget event:
+///
+///     MouseMoveEvent           Move: highlights the constraint under the cursor
+///     LeaveEvent               HoverLeave: highlights none
+///     LeftButtonPressEvent     Select: begins a click
+///     LeftButtonReleaseEvent   EndSelect: ends the click, and reports it; with Shift or Ctrl it has `isAdded`
 class ConstraintMarkWidget : public WidgetOf<ConstraintMarkRepresentation> {
  public:
   static ConstraintMarkWidget* New();
@@ -72,12 +87,13 @@ class ConstraintMarkWidget : public WidgetOf<ConstraintMarkRepresentation> {
 
   [[nodiscard]] ConstraintMarkRepresentation* GetConstraintMarkRepresentation() { return &this->Drawn(); }
 
-  /// Null: none. A highlighted constraint stays so until the cursor moves, or until it has no marks any more.
+  /// Sets the marks that can be found; with null there are none. A highlighted constraint stays so until the cursor
+  /// moves, or until it has no marks any more.
   void SetMarks(std::shared_ptr<const MarkSet> marks);
   void SetSurface(std::shared_ptr<const VisibleSurface> surface) { this->Drawn().SetSurface(std::move(surface)); }
   void SetPixelRatio(double ratio) { this->Drawn().SetPixelRatio(ratio); }
 
-  /// The constraint under the cursor.
+  /// Returns the constraint that is highlighted because it is under the cursor; none where there is none.
   [[nodiscard]] std::optional<Index> GetHighlighted() const { return this->Highlighted; }
 
  protected:

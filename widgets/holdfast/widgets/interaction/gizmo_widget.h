@@ -1,5 +1,5 @@
 #pragma once
-/// Lets the user drag the gizmo, or type how far.
+/// Lets the user drag the gizmo, or type how far it moves.
 
 #include <array>
 #include <memory>
@@ -19,81 +19,87 @@
 
 namespace holdfast {
 
-/// The radius of the outer ring by default, pixels of a display of ordinary resolution.
+/// The default radius of the outer ring, in pixels of a display of ordinary resolution.
 inline constexpr double kGizmoPixels = 115;
 
-/// The motions that the gizmo offers: points have nothing to rotate.
+/// The motions that the gizmo offers. Points need only moves: they have nothing to rotate.
 enum class GizmoMotions { Moves, MovesAndTurns };
 
-/// Arrows move along an axis, squares across one, the ball across the view; rings rotate about an axis, the outer one
-/// about the view direction. A label says how far a drag is. All is drawn in a layer of its own over everything in the
-/// window: `SetRenderer` adds that layer, and with null removes it. Each time that the layer is drawn, the gizmo
-/// follows the camera of the renderer, and has the same size on the display. What is seen from the end or the edge
-/// fades out and cannot be grabbed. Has no bounds: cameras are not reset to it.
+/// Draws the gizmo and finds the part of it under the cursor. Arrows move along an axis, squares across one, the ball
+/// across the view. Rings rotate about an axis, the outer ring about the view direction. A label says how far a drag
+/// has gone.
+///
+/// The gizmo is drawn in a layer of its own over everything in the window. `SetRenderer` adds that layer; with null it
+/// removes it. Each time the layer is drawn, the gizmo follows the camera of the renderer and keeps its size on the
+/// display. A part that is seen from the end or the edge fades out and cannot be grabbed. The gizmo has no bounds, so
+/// that cameras are not reset to it.
 class GizmoRepresentation : public vtkWidgetRepresentation {
  public:
   static GizmoRepresentation* New();
   vtkTypeMacro(GizmoRepresentation, vtkWidgetRepresentation)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Where the gizmo is; at the origin along the axes of the world by default. The columns of `axes` are orthonormal
-  /// and right-handed. Without effect during a drag, which alone moves the gizmo then.
+  /// Sets where the gizmo is. By default it is at the origin, along the axes of the world. The columns of `axes` are
+  /// orthonormal and right-handed. The call has no effect during a drag, which alone moves the gizmo then.
   void SetFrame(const Vector3& center, const Eigen::Matrix3d& axes);
   [[nodiscard]] const GizmoFrame& GetFrame() const { return this->Frame; }
 
-  /// `MovesAndTurns` by default. Without effect during a drag.
+  /// Sets the motions that the gizmo offers; `MovesAndTurns` by default. The call has no effect during a drag.
   void SetMotions(GizmoMotions motions);
   [[nodiscard]] GizmoMotions GetMotions() const { return this->Motions; }
-  /// Whether a part other than `None` belongs to these motions.
+  /// Tells whether these motions include the part. It returns false for `None`.
   [[nodiscard]] bool Offers(GizmoPart part) const
   {
     return part != GizmoPart::None && (this->Motions == GizmoMotions::MovesAndTurns || !isRotation(part));
   }
 
-  /// Whether the axes are those of the view (not during a drag): right, up and towards the eye. Off by default.
+  /// Makes the gizmo take its axes from the view: right, up and towards the eye. They do not change during a drag. Off
+  /// by default.
   vtkSetMacro(AlignToView, bool);
   vtkBooleanMacro(AlignToView, bool);
 
-  /// Radius of the outer ring, `kGizmoPixels` by default; widths, tolerances and texts follow.
+  /// Sets the radius of the outer ring in pixels of a display of ordinary resolution; `kGizmoPixels` by default.
+  /// Widths, tolerances and letters follow it.
   vtkSetClampMacro(PixelSize, double, 1.0, 10000.0);
   vtkGetMacro(PixelSize, double);
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
   vtkGetMacro(PixelRatio, double);
 
-  /// The text behind lengths; none by default.
+  /// Sets the text that follows lengths in the label, such as "mm"; empty by default.
   vtkSetMacro(Units, std::string);
   [[nodiscard]] const std::string& GetUnits() const { return this->Units; }
 
-  /// The part that is drawn in yellow, also where it is seen from the end; `None` by default.
+  /// Sets the part that is drawn in yellow, also where it is seen from the end; `None` by default.
   vtkSetEnumMacro(Part, GizmoPart);
   [[nodiscard]] GizmoPart GetPart() const { return this->Part; }
 
-  /// A drag of the part that is highlighted, which is not `None`, as the renderer sees it now.
+  /// Returns a drag of the highlighted part, as the renderer sees it now. The highlighted part is not `None`.
   [[nodiscard]] GizmoDrag NewDrag(const DisplayPoint& cursor);
-  /// From now on only the part of `trace` is drawn, where its motion has brought it, with its trace and `label`.
+  /// Shows a drag: only the part of `trace` is drawn, where its motion has brought it, with its trace and `label`.
   void ShowDrag(const GizmoTrace& trace, const std::string& label, const DisplayPoint& cursor);
-  /// The gizmo stays where the last `ShowDrag` has brought it.
+  /// Ends the drag. The gizmo stays where the last `ShowDrag` has brought it.
   void EndDrag();
   [[nodiscard]] bool IsDragging() const { return this->Drag.has_value(); }
 
-  /// Whether the label is drawn; on by default. A window that draws its own takes the two below.
+  /// Sets whether the label is drawn; on by default. A window that draws its own label uses the two functions below.
   vtkSetMacro(LabelVisibility, bool);
   vtkBooleanMacro(LabelVisibility, bool);
-  /// How far the drag is, in UTF-8; empty without a drag.
+  /// Returns the label, which says how far the drag has gone, in UTF-8. It is empty without a drag.
   [[nodiscard]] const std::string& GetLabel() const { return this->Label; }
-  /// The cursor of the drag, pixels from the window's lower left corner.
+  /// Returns the cursor of the drag, in pixels from the window's lower left corner.
   [[nodiscard]] const DisplayPoint& GetLabelPosition() const { return this->LabelPosition; }
 
-  /// The layer's renderer, for what else is to be drawn there.
+  /// Returns the renderer of the layer, for a program that draws more there.
   [[nodiscard]] vtkRenderer* GetLayer() const { return this->Layer; }
   [[nodiscard]] vtkTextActor* GetLabelActor() const { return this->LabelActor; }
 
-  /// Hiding highlights no part any more. It does not end a drag.
+  /// Shows or hides the gizmo. Hiding it outside a drag also removes the highlight. It does not end a drag.
   void SetVisibility(vtkTypeBool isVisible) override;
   void SetRenderer(vtkRenderer* renderer) override;
-  /// About a millisecond.
+  /// Places the gizmo as the camera sees it now. This takes about a millisecond.
   void BuildRepresentation() override;
-  /// The part under the pixel as an int; `GizmoPart::None` outside of the renderer's viewport and while hidden.
+  /// Returns the part under the pixel as an int. It is `GizmoPart::None` outside the renderer's viewport and while the
+  /// gizmo is hidden.
   int ComputeInteractionState(int x, int y, int modify = 0) override;
 
  protected:
@@ -131,16 +137,37 @@ class GizmoRepresentation : public vtkWidgetRepresentation {
   vtkNew<vtkRenderer> Layer;
 };
 
-/// The active part is the one under the cursor, or the one that a key or `SetPart` has chosen, until Escape, another
-/// choice, or the cursor on another part. A drag along it begins with a press, or with a typed number: then the gizmo
-/// moves or rotates by exactly that amount, and the mouse has no effect. "x 2.5 Return" moves by 2.5 along x. With Ctrl
-/// the mouse snaps (gizmo_drag.h); angles count several turns.
+/// Moves and rotates an object by arrows, squares and rings, or by a typed number. The active part is the one under the
+/// cursor, or the one that a key or `SetPart` has chosen. A chosen part stays active until Escape, another choice, or
+/// the cursor on another part.
 ///
-/// It aborts the events that it uses, with those of the mouse over a part; characters with Ctrl or Alt pass, and so
-/// does the first move onto the gizmo, by which other widgets learn that the cursor has left them. It does not
-/// highlight while a button is down that was pressed beside it.
+///     vtkNew<GizmoWidget> gizmo;
+///     gizmo->SetInteractor(interactor);
+///     gizmo->GetGizmoRepresentation()->SetFrame(place, Eigen::Matrix3d::Identity());
+///     gizmo->AddObserver(vtkCommand::InteractionEvent, &tool, &Tool::drag);  // call data: `GizmoMotion*`
+///     gizmo->On();
 ///
-/// After a drag the gizmo stays at its new place; a rotation does not change its axes.
+/// A drag along the active part begins with a press, or with a typed number. A typed number moves or rotates the gizmo
+/// by exactly that amount, and the mouse has no effect then. "x 2.5 Return" moves it by 2.5 along x. With Ctrl the
+/// mouse snaps (gizmo_drag.h). Angles count several turns. After a drag the gizmo stays at its new place. A rotation
+/// does not change its axes.
+///
+/// These are the bindings, each with its widget event:
+///
+///     MouseMoveEvent                              Move: highlights the part under the cursor, or drags the part held
+///     LeaveEvent                                  HoverLeave: highlights no part, unless one is chosen or dragged
+///     LeftButtonPressEvent, -DoubleClickEvent     Select: begins a drag of the part under the cursor; ends a typed one
+///     LeftButtonReleaseEvent                      EndSelect: ends the drag
+///     KeyPressEvent x, y, z                       Translate: chooses an arrow
+///     KeyPressEvent x, y, z with Shift            Rotate: chooses a ring
+///     KeyPressEvent of a digit, "." "," "-"       ModifyEvent: types a number for the active part
+///     KeyPressEvent BackSpace                     Delete: takes back the last key of the number
+///     KeyPressEvent Return, KP_Enter              Completed: ends the drag of a typed number
+///     KeyPressEvent Escape                        Reset: takes back the drag, and the choice of a part
+///
+/// The widget aborts the events that it uses. These include mouse events over a part. Two kinds of events pass:
+/// characters with Ctrl or Alt, and the first move onto the gizmo. By that move other widgets learn that the cursor has
+/// left them. The widget does not highlight while a button is down that was pressed beside it.
 class GizmoWidget : public WidgetOf<GizmoRepresentation> {
  public:
   static GizmoWidget* New();
@@ -148,19 +175,21 @@ class GizmoWidget : public WidgetOf<GizmoRepresentation> {
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   [[nodiscard]] GizmoRepresentation* GetGizmoRepresentation() { return &this->Drawn(); }
-  /// Disabling cancels a drag, and removes the gizmo from the window.
+  /// Enables or disables the widget. Disabling cancels a drag and removes the gizmo from the window.
   void SetEnabled(int isEnabled) override;
 
   [[nodiscard]] GizmoPart GetPart() { return this->Drawn().GetPart(); }
-  /// Chooses a part, or none. Without effect during a drag, while disabled, and for a part that is not offered.
+  /// Chooses a part; `None` chooses none. The call has no effect during a drag, while the widget is disabled, and for a
+  /// part that is not offered.
   void SetPart(GizmoPart part);
 
   [[nodiscard]] bool IsDragging() const { return this->Drag.has_value(); }
-  /// Whether the mouse holds the part; else the drag is that of a typed number.
+  /// Tells whether the mouse holds the part. A drag that is not held is that of a typed number.
   [[nodiscard]] bool IsHeld() const { return this->Held; }
 
-  /// Whether the widget would use a key without Ctrl and Alt: a character, or '\r' for Return, '\b' for Backspace, 27
-  /// for Escape. A window asks this before its shortcuts. While a number is typed the widget uses all keys.
+  /// Tells whether the widget would use a key without Ctrl and Alt. `key` is a character, or '\r' for Return, '\b' for
+  /// Backspace, 27 for Escape. A window asks this before its shortcuts. While a number is typed the widget uses all
+  /// keys.
   [[nodiscard]] bool WantsKey(char key);
 
   /// Ends a drag as a release does. Call it when the widget loses the keyboard while a number is typed.
@@ -175,7 +204,7 @@ class GizmoWidget : public WidgetOf<GizmoRepresentation> {
   void OnChar() override;
 
  private:
-  // One for each widget event: whether the VTK event has been used.
+  // There is one for each widget event. It returns whether it has used the VTK event.
   bool Hover();
   void Leave();
   bool Press();

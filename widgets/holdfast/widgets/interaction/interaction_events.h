@@ -1,8 +1,8 @@
 #pragma once
-/// What the widgets of this room share: events beside VTK's, bindings, cursor, clicks, modes of selection.
-/// docs/widgets.md lists the events of each widget with their call data, and its bindings, which its event translator
-/// can change. Sizes are pixels of a display of ordinary resolution; `PixelRatio`, 1 by default, is the number of
-/// pixels of the window for each of them.
+/// What the widgets of this folder share: events beside VTK's, bindings, cursor, clicks and modes of selection.
+/// The page docs/widgets.md lists the events and the bindings of each widget, with the call data. The event translator
+/// of a widget can change its bindings. Sizes are pixels of a display of ordinary resolution. `PixelRatio`, 1 by
+/// default, is the number of window pixels for each of them.
 
 #include <algorithm>
 #include <cmath>
@@ -33,15 +33,17 @@ namespace holdfast {
 
 /// Events beside those of `vtkCommand`.
 enum InteractionEvents : unsigned long {
-  /// Instead of EndInteractionEvent: the gesture was taken back; restore the state before it.
+  /// Comes instead of EndInteractionEvent where the gesture was taken back. An observer then restores the state before
+  /// the gesture.
   CancelInteractionEvent = vtkCommand::UserEvent + 18'500,
-  /// The right button went down and up in one place. Call data: none; the interactor has the place.
+  /// The right button went down and up in one place. The event has no call data; the interactor knows the place.
   ContextMenuRequestEvent,
-  /// A click is about to begin another ruler: the present one goes. Call data: none.
+  /// A click is about to begin another ruler, and the present one is removed. The event has no call data.
   NextRulerEvent
 };
 
-/// As `vtkSetMacro` sets a member of `object`, for types that VTK cannot print.
+/// Sets a member of `object` as `vtkSetMacro` does, for types that VTK cannot print. `object` is modified only where
+/// the value changes.
 template <class Value>
 void assign(vtkObject& object, Value& member, Value value)
 {
@@ -50,37 +52,37 @@ void assign(vtkObject& object, Value& member, Value value)
   object.Modified();
 }
 
-/// A press and a release nearer than this are a click.
+/// A press and a release that are nearer to each other than this are a click.
 inline constexpr double kClickPixels = 4;
 
-/// Whether the interactor's style moves the camera at the moment: nothing follows the cursor then.
+/// Tells whether the interactor's style moves the camera at the moment. Nothing follows the cursor then.
 [[nodiscard]] inline bool isCameraMoving(vtkRenderWindowInteractor& interactor)
 {
   auto* style = vtkInteractorStyle::SafeDownCast(interactor.GetInteractorStyle());
   return style != nullptr && style->GetState() != VTKIS_NONE;
 }
 
-/// Whether the press that is being handled is the second one of a double click.
+/// Tells whether the press that is being handled is the second one of a double click.
 [[nodiscard]] inline bool isSecondPress(vtkRenderWindowInteractor& interactor)
 {
   return interactor.GetRepeatCount() > 0;
 }
 
-/// The pixel of the event that is being handled.
+/// Returns the pixel of the event that is being handled.
 [[nodiscard]] inline DisplayPoint cursorOf(vtkRenderWindowInteractor& interactor)
 {
   const int* position = interactor.GetEventPosition();
   return {position[0], position[1]};
 }
 
-/// `ComputeInteractionState` of that pixel.
+/// Calls `ComputeInteractionState` for the pixel of the event that is being handled, and returns its result.
 inline int stateAtCursor(vtkWidgetRepresentation& representation, vtkRenderWindowInteractor& interactor)
 {
   const int* position = interactor.GetEventPosition();
   return representation.ComputeInteractionState(position[0], position[1]);
 }
 
-/// Points of a circle at equal distances, counterclockwise.
+/// Returns points of a circle at equal distances, counterclockwise.
 [[nodiscard]] inline std::vector<DisplayPoint> circle(const DisplayPoint& center, double radius, int corners)
 {
   std::vector<DisplayPoint> points;
@@ -91,13 +93,13 @@ inline int stateAtCursor(vtkWidgetRepresentation& representation, vtkRenderWindo
   return points;
 }
 
-/// A click is a press and a release within `kClickPixels`. Widgets abort neither event, so that a drag from the same
-/// place moves the camera.
+/// Recognises a click: a press and a release within `kClickPixels`. Widgets abort neither event, so that a drag from
+/// the same place moves the camera.
 class Click {
  public:
   void Press(const DisplayPoint& place) { this->PressedAt = place; }
 
-  /// The cursor is at `place`: whether that ends a possible click.
+  /// Call it when the cursor is at `place`. It tells whether that ends a possible click.
   bool LeaveAt(const DisplayPoint& place, double pixelRatio)
   {
     if (!this->PressedAt || (place - *this->PressedAt).norm() < kClickPixels * pixelRatio) return false;
@@ -105,7 +107,7 @@ class Click {
     return true;
   }
 
-  /// Whether the button that comes up at `place` clicks.
+  /// Call it when the button comes up at `place`. It tells whether that was a click.
   [[nodiscard]] bool Release(const DisplayPoint& place, double pixelRatio)
   {
     this->LeaveAt(place, pixelRatio);
@@ -121,7 +123,7 @@ class Click {
 template <class Result, class Widget>
 Widget classOf(Result (Widget::*action)());
 
-/// A widget whose representation is of one class. Disabling it stops what is under way.
+/// A widget whose representation is of one class. Disabling it stops a gesture that is under way.
 template <class Representation, class Base = vtkAbstractWidget>
 class WidgetOf : public Base {
  public:
@@ -136,7 +138,8 @@ class WidgetOf : public Base {
     this->LeftClick.Forget();
     this->Base::SetEnabled(enabling);
   }
-  /// Not by SetRepresentation, which would disable the widget and enable it again: that asks for a representation.
+  /// Makes a representation if there is none. It does not use SetRepresentation, which would disable the widget and
+  /// enable it again: enabling asks for a representation.
   void CreateDefaultRepresentation() override
   {
     if (this->WidgetRep != nullptr) return;
@@ -148,11 +151,12 @@ class WidgetOf : public Base {
  protected:
   /// Tells a new representation what the widget knows.
   virtual void Inform(Representation& /*representation*/) {}
-  /// The widget is enabled, and about to be disabled.
+  /// Stops what is under way. The widget is enabled, and about to be disabled.
   virtual void Stop() {}
   [[nodiscard]] Representation& Drawn() { return *static_cast<Representation*>(this->GetRepresentation()); }
 
-  /// The widget event calls a member function without arguments. One that returns true has used the VTK event.
+  /// Makes a widget event call a member function without arguments. A function that returns true has used the VTK
+  /// event, which is then aborted.
   template <auto Action>
   void Bind(unsigned long event, unsigned long widgetEvent)
   {
@@ -175,7 +179,7 @@ class WidgetOf : public Base {
   }
 
   [[nodiscard]] DisplayPoint Cursor() const { return cursorOf(*this->Interactor); }
-  /// Whether it is in the renderer's part of the window.
+  /// Tells whether the cursor is in the renderer's part of the window.
   [[nodiscard]] bool IsCursorInside() const
   {
     const int* cursor = this->Interactor->GetEventPosition();
@@ -186,10 +190,11 @@ class WidgetOf : public Base {
     if (this->ManagesCursor != 0) this->RequestCursorShape(shape);
   }
 
-  /// Nothing of lower priority gets the event that is handled.
+  /// Aborts the event that is being handled: no observer of lower priority gets it.
   void Use() { this->EventCallbackCommand->SetAbortFlag(1); }
 
-  /// Begins a click, but not by the second press of a double click.
+  /// Begins a click where the cursor is inside the renderer's part of the window. The second press of a double click
+  /// begins none.
   void PressClick()
   {
     this->LeftClick.Forget();
@@ -199,7 +204,7 @@ class WidgetOf : public Base {
   Click LeftClick;
 };
 
-/// A representation that consists of props. They are drawn in their order, where they are visible.
+/// A representation that consists of props. It draws those that are visible, in their order.
 template <class Base>
 class DrawnByProps : public Base {
  public:
@@ -237,14 +242,16 @@ class DrawnByProps : public Base {
 
 enum class SelectionMode { Replace, Add, Remove };
 
-/// By the keys of the event that is handled: Shift adds, Ctrl removes.
+/// Returns the mode for the keys of the event that is being handled. Ctrl removes; Shift without Ctrl adds; without
+/// both keys the mode replaces.
 [[nodiscard]] inline SelectionMode selectionModeOf(vtkRenderWindowInteractor& interactor)
 {
   if (interactor.GetControlKey() != 0) return SelectionMode::Remove;
   return interactor.GetShiftKey() != 0 ? SelectionMode::Add : SelectionMode::Replace;
 }
 
-/// Arguments and result are ascending, each id once. O(sum of both).
+/// Joins a selection with the vertices that a gesture has reached. Arguments and result are ascending and have each id
+/// once. O(sum of both).
 [[nodiscard]] inline std::vector<Index> joined(const std::vector<Index>& selected, const std::vector<Index>& reached,
                                                SelectionMode mode)
 {

@@ -1,5 +1,5 @@
 #pragma once
-/// Selects regions of a surface: by a brush, a rectangle, a lasso, or a click on a side.
+/// Selects regions of a surface by a brush, a rectangle, a lasso, or a click on a side.
 
 #include <memory>
 #include <optional>
@@ -17,15 +17,17 @@
 
 namespace holdfast {
 
-/// A closed line over the picture, light below dark, so that it is seen on every surface; or nothing (the default).
+/// Draws a closed line over the picture, or nothing (the default). The line is light below dark, so that it is seen on
+/// every surface.
 class RegionRepresentation : public DrawnByProps<vtkWidgetRepresentation> {
  public:
   static RegionRepresentation* New();
   vtkTypeMacro(RegionRepresentation, vtkWidgetRepresentation)
 
-  /// A polygon that is filled faintly where `ScreenPolygon` has its inside. Corners are pixels as a cursor names them.
+  /// Shows a polygon, filled faintly where `ScreenPolygon` has its inside. The corners are pixels as a cursor names
+  /// them.
   void ShowPolygon(std::vector<DisplayPoint> corners) { this->Show(std::move(corners), true); }
-  /// A circle, not filled, around the center of a pixel; radius in pixels of the window.
+  /// Shows a circle around the centre of a pixel, not filled. The radius is in pixels of the window.
   void ShowCircle(const DisplayPoint& center, double radius)
   {
     constexpr int kCorners = 72;
@@ -58,24 +60,49 @@ class RegionRepresentation : public DrawnByProps<vtkWidgetRepresentation> {
 
 enum class RegionShape {
   Brush,      ///< a stroke reaches the vertices that the brush touches along the surface
-  Rectangle,  ///< a drag spans a rectangle: what is seen in it
-  Lasso,      ///< a drag draws a line around: what is seen within
-  Side        ///< a click: as far as the surface bends by no more than an angle; double: the whole part
+  Rectangle,  ///< a drag spans a rectangle, which reaches what is seen in it
+  Lasso,      ///< a drag draws a line, which reaches what is seen within
+  Side        ///< a click reaches as far as the surface bends by no more than an angle;
+              ///< a double click reaches the whole connected part
 };
 
-/// Call data of a `RegionWidget`.
+/// The call data of the gesture events of a `RegionWidget`.
 struct RegionCallData {
   std::vector<Index> reached;  ///< vertices of the file, ascending
   SelectionMode mode;          ///< how they are to be joined with what was selected before the gesture
 };
 
-/// Holds no selection: an observer keeps the one before a gesture, shows what `joined` makes of it and the call data,
-/// and restores it when the gesture is cancelled.
+/// Reports the vertices that a gesture reaches. It holds no selection: an observer keeps the selection from before the
+/// gesture. The observer shows what `joined` makes of that selection and the call data. It restores the selection when
+/// the gesture is cancelled.
 ///
-/// Shift adds to the selection, Ctrl removes: read at the press of a brush, else at the end of the gesture. With Alt,
-/// or by `SetReach`, rectangle and lasso reach hidden vertices as well. Their search takes 12,000 vertices at a time,
-/// in turns of the event loop where the interactor has timers. The events of a gesture are aborted; a brush beside the
-/// surface and a click on a side leave them to the camera.
+///     vtkNew<RegionWidget> region;
+///     region->SetInteractor(interactor);
+///     region->SetSurface(surface);
+///     region->SetRegions(std::make_shared<VertexRegions>(model.mesh, model.solverMesh));
+///     region->SetShape(RegionShape::Brush);
+///     region->AddObserver(vtkCommand::InteractionEvent, &tool, &Tool::select);  // call data: `RegionCallData*`
+///     region->On();
+///
+/// Shift adds to the selection, Ctrl removes from it. A brush reads these keys at the press, other shapes at the end of
+/// the gesture. With Alt, or by `SetReach`, rectangle and lasso reach hidden vertices as well. Their search takes
+/// 12,000 vertices at a time, in turns of the event loop where the interactor has timers.
+///
+/// These are the bindings, each with its widget event:
+///
+///     MouseMoveEvent                    Move: goes on with the gesture, or shows the brush under the cursor
+///     LeaveEvent                        HoverLeave: hides the brush
+///     LeftButtonPressEvent              Select: begins a gesture
+///     LeftButtonDoubleClickEvent        Completed: selects the whole connected part (`Side`); else as a press
+///     LeftButtonReleaseEvent            EndSelect: ends the gesture
+///     KeyPressEvent bracketleft         Down: makes the brush smaller, or the angle of a side
+///     KeyPressEvent bracketright        Up: makes the brush larger, or the angle of a side
+///     KeyPressEvent n                   ModifyEvent: changes from where the angle of a side is measured
+///     KeyPressEvent Escape              Reset: takes back the gesture
+///     TimerEvent                        TimedOut: goes on with the search of rectangle or lasso
+///
+/// The widget aborts the events of a gesture. A brush beside the surface and a click on a side leave their events to
+/// the camera.
 class RegionWidget : public WidgetOf<RegionRepresentation> {
  public:
   static RegionWidget* New();
@@ -84,41 +111,44 @@ class RegionWidget : public WidgetOf<RegionRepresentation> {
 
   [[nodiscard]] RegionRepresentation* GetRegionRepresentation() { return &this->Drawn(); }
 
-  /// `Brush` by default. Another one cancels the gesture under way.
+  /// Sets the shape; `Brush` by default. Another shape cancels the gesture under way.
   void SetShape(RegionShape shape);
   [[nodiscard]] RegionShape GetShape() const { return this->Shape; }
 
-  /// The regions are on it; null (the default): nothing. May change at any time; one of another model cancels.
+  /// Sets the surface on which regions are selected. With null, the default, nothing is selected. It may change at any
+  /// time, but a surface of another model cancels the gesture.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
-  /// Those of the surface's model; null (the default): no brush and no sides. Another one cancels the gesture.
+  /// Sets the regions of the surface's model. With null, the default, there are no brush and no sides. Other regions
+  /// cancel the gesture.
   void SetRegions(std::shared_ptr<VertexRegions> regions);
   [[nodiscard]] const std::shared_ptr<VertexRegions>& GetRegions() const { return this->Regions; }
 
-  /// The radius of the brush, pixels of a display of ordinary resolution; from 4 to 300, by default 24.
+  /// Sets the radius of the brush, in pixels of a display of ordinary resolution: from 4 to 300, by default 24.
   void SetBrushRadius(double pixels);
   vtkGetMacro(BrushRadius, double);
 
-  /// By how much a side may bend, degrees; from 0 to 175, by default 20.
+  /// Sets by how much a side may bend, in degrees: from 0 to 175, by default 20.
   vtkSetClampMacro(SideAngle, double, 0.0, 175.0);
   vtkGetMacro(SideAngle, double);
 
-  /// From where that is measured: by default from face to face. The key N changes it.
+  /// Sets from where that angle is measured; by default it is measured from face to face. The key n changes this.
   void SetBendFrom(BendFrom from) { this->SideBendFrom = from; }
   [[nodiscard]] BendFrom GetBendFrom() const { return this->SideBendFrom; }
 
   void SetPixelRatio(double ratio);
   vtkGetMacro(PixelRatio, double);
 
-  /// What rectangle and lasso reach without Alt: `VisibleOnly` by default.
+  /// Sets what rectangle and lasso reach without Alt; `VisibleOnly` by default.
   void SetReach(ScreenReach reach) { this->Reach = reach; }
   [[nodiscard]] ScreenReach GetReach() const { return this->Reach; }
 
-  /// No circle shows the brush until the mouse moves over the surface again. Does nothing during a gesture.
+  /// Hides the circle of the brush until the mouse moves over the surface again. It does nothing while a stroke or an
+  /// outline is drawn.
   void HideCircle();
 
-  /// Takes back the gesture under way, as Escape does. False where there is none.
+  /// Takes back the gesture under way, as Escape does. It returns false where there is none.
   bool Cancel();
 
  protected:
@@ -136,7 +166,7 @@ class RegionWidget : public WidgetOf<RegionRepresentation> {
     Search    // for what is in the outline
   };
 
-  // One for each widget event: whether the VTK event has been used.
+  // There is one for each widget event. It returns whether it has used the VTK event.
   bool Press();
   bool PressAgain() { return this->Shape == RegionShape::Side ? this->SelectPart() : this->Press(); }
   bool MoveTo();

@@ -1,5 +1,5 @@
 #pragma once
-/// Turns and zooms the rotation sphere, and picks its points.
+/// Rotates and zooms the rotation sphere, and picks its points.
 
 #include <vtkInteractorStyle.h>
 
@@ -8,14 +8,29 @@
 
 namespace holdfast {
 
-/// A drag with the left button rotates the sphere with the cursor, the wheel and "plus" and "minus" zoom, arrow keys
-/// rotate, a double click and "Home" show all that is prescribed.
+/// Rotates and zooms a `RotationSphere`. It invokes `PickEvent` for a click on a point, with the vertex of the file as
+/// call data.
+///
+///     vtkNew<RotationSphereStyle> style;
+///     style->SetSphere(&sphere);
+///     style->AddObserver(vtkCommand::PickEvent, &tool, &Tool::mark);  // call data: `Index*`
+///     interactor->SetInteractorStyle(style);
+///
+/// These are the bindings. To change them, override `OnLeftButtonDown` and the like.
+///
+///     drag with the left button     rotates the sphere with the cursor; it begins 4 pixels from the press
+///     click with the left button    picks a point
+///     arrow keys                    rotate the sphere
+///     wheel                         zooms
+///     "plus" or "equal"; "minus"    zoom in; out
+///     double click, "Home"          shows all that is prescribed
 class RotationSphereStyle : public vtkInteractorStyle {
  public:
   static RotationSphereStyle* New();
   vtkTypeMacro(RotationSphereStyle, vtkInteractorStyle)
 
-  /// In a renderer of the interactor's window, and alive as long as it is set. Null, the default: none.
+  /// Sets the sphere, which is in a renderer of the interactor's window. It has to live as long as it is set. With
+  /// null, the default, there is none.
   void SetSphere(RotationSphere* sphere);
 
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);

@@ -1,6 +1,6 @@
 #pragma once
-/// VTK's own widgets with small changes: the axes in a corner of the window, which show the camera's orientation and
-/// change it; the plane that cuts a surface open.
+/// VTK's own widgets with small changes. One shows the camera's orientation by axes in a corner of the window, and
+/// changes it. The other is the plane that cuts a surface open.
 
 #include <memory>
 #include <utility>
@@ -14,8 +14,9 @@
 
 namespace holdfast {
 
-/// As VTK's, but a click on a ball looks from behind only where that ball faces the viewer (VTK: at every second click
-/// on the same ball), and balls and letters are moved, not made for each picture, which would wait for the drawing.
+/// Differs from VTK's representation in two ways. A click on a ball looks from behind only where that ball faces the
+/// viewer. (VTK does so at every second click on the same ball.) Balls and letters are moved, not made for each
+/// picture: making them would wait for the drawing.
 class OrientationRepresentation : public vtkCameraOrientationRepresentation {
  public:
   static OrientationRepresentation* New();
@@ -35,6 +36,12 @@ class OrientationRepresentation : public vtkCameraOrientationRepresentation {
   std::pair<int, int> LetteredFor{-2, -2};  // axis and direction of the ball that was picked
 };
 
+/// Shows the camera's orientation by axes in a corner of the window. A click on a ball of an axis looks along that
+/// axis.
+///
+///     vtkNew<OrientationWidget> axes;
+///     axes->SetParentRenderer(renderer);  // it is in a window with an interactor
+///     axes->On();
 class OrientationWidget : public WidgetOf<OrientationRepresentation, vtkCameraOrientationWidget> {
  public:
   static OrientationWidget* New();
@@ -49,14 +56,22 @@ class OrientationWidget : public WidgetOf<OrientationRepresentation, vtkCameraOr
   ~OrientationWidget() override = default;
 };
 
-/// As VTK's, but the plane itself takes the mouse only beside the surface, so that the user can pick behind a cut. Its
-/// arrow and the ball in its middle take the mouse everywhere.
+/// Differs from VTK's representation in where the plane takes the mouse: only beside the surface, so that the user can
+/// pick behind a cut. Its arrow and the ball in its middle take the mouse everywhere.
+///
+///     vtkNew<SectionPlaneRepresentation> plane;
+///     plane->PlaceWidget(bounds);  // double[6]
+///     plane->SetSurface(surface);
+///     vtkNew<vtkImplicitPlaneWidget2> widget;
+///     widget->SetInteractor(interactor);
+///     widget->SetRepresentation(plane);
+///     widget->On();
 class SectionPlaneRepresentation : public vtkImplicitPlaneRepresentation {
  public:
   static SectionPlaneRepresentation* New();
   vtkTypeMacro(SectionPlaneRepresentation, vtkImplicitPlaneRepresentation)
 
-  /// The part that is kept; null (the default): none.
+  /// Sets the part of the surface that the cut keeps. With null, the default, the plane takes the mouse everywhere.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface) { this->Surface = std::move(surface); }
 
   int ComputeInteractionState(int x, int y, int modify = 0) override;

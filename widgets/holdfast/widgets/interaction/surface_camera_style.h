@@ -1,5 +1,5 @@
 #pragma once
-/// Turns, shifts and zooms the camera about the place of a surface that is under the cursor.
+/// Rotates, shifts and zooms the camera about the place of a surface that is under the cursor.
 
 #include <memory>
 
@@ -13,18 +13,33 @@
 
 namespace holdfast {
 
-/// The event translator says what a drag does; a program may change it. `vtkWidgetEvent::Rotate` orbits the place under
-/// the cursor, `Translate` shifts that place with the cursor. The wheel goes nearer to it, 1.2 times a notch to the
-/// power of `GetMouseWheelMotionFactor`. A drag begins when the cursor has left the place of the press by 4 pixels, so
-/// that widgets above can take clicks.
+/// Moves the camera about the place under the cursor. The event translator says what a drag does, and a program may
+/// change it. `vtkWidgetEvent::Rotate` orbits the place under the cursor. `Translate` shifts that place with the
+/// cursor.
 ///
-/// Keys of `vtkInteractorStyle` ("q" ends the program, "w" draws lines) are not bound.
+///     vtkNew<SurfaceCameraStyle> style;
+///     style->SetSurface(surface);
+///     interactor->SetInteractorStyle(style);
+///
+/// These are the bindings, each with its widget event:
+///
+///     LeftButtonPressEvent               Rotate
+///     RightButtonPressEvent              Rotate
+///     RightButtonPressEvent with Shift   Translate
+///     MiddleButtonPressEvent             Translate
+///
+/// The wheel goes nearer to the place, by 1.2 for each notch, to the power of `GetMouseWheelMotionFactor`. A drag
+/// begins when the cursor is 4 pixels away from the press, so that widgets above can take clicks.
+/// `ContextMenuRequestEvent` comes when the right button went down and up in one place.
+///
+/// The keys of `vtkInteractorStyle` ("q" ends the program, "w" draws lines) are not bound.
 class SurfaceCameraStyle : public vtkInteractorStyle {
  public:
   static SurfaceCameraStyle* New();
   vtkTypeMacro(SurfaceCameraStyle, vtkInteractorStyle)
 
-  /// The motion is about its place under the cursor; null (the default) and beside it: about the depth of the focus.
+  /// Sets the surface, about whose place under the cursor the camera moves. With null, the default, and beside the
+  /// surface, it moves about a place at the depth of the focal point.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface) { assign(*this, this->Surface, std::move(surface)); }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
@@ -33,7 +48,7 @@ class SurfaceCameraStyle : public vtkInteractorStyle {
 
   vtkWidgetEventTranslator* GetEventTranslator() { return this->EventTranslator; }
 
-  /// Ends a drag that is under way; the camera stays as it is.
+  /// Ends a drag that is under way. The camera stays as it is.
   void Cancel();
 
   void OnLeftButtonDown() override { this->ButtonDown(vtkCommand::LeftButtonPressEvent); }

@@ -16,42 +16,47 @@
 
 namespace holdfast {
 
-/// A contour whose nodes, the places, are different vertices of one connected part of the surface.
+/// Draws a contour along the edges of a surface. Its nodes, the places, are different vertices of one connected part of
+/// the surface.
 class SurfaceCurveRepresentation : public DrawnByProps<vtkContourRepresentation> {
  public:
   static SurfaceCurveRepresentation* New();
   vtkTypeMacro(SurfaceCurveRepresentation, vtkContourRepresentation)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Null (the default): no curve. A surface of another model removes the curve.
+  /// Sets the surface; with null, the default, there is no curve. A surface of another model removes the curve.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
-  /// Made of the surface's model, whose edges the curve follows; null (the default): places are refused.
+  /// Sets the regions, made of the surface's model, whose edges the curve follows. With null, the default, places are
+  /// refused.
   void SetRegions(std::shared_ptr<const VertexRegions> regions) { this->Interpolator->SetRegions(std::move(regions)); }
 
   void SetPixelRatio(double ratio);
   vtkGetMacro(PixelRatio, double);
 
-  /// Vertices of the file, in order: the places; the places with all vertices between, for a closed curve also those
-  /// from the last place to the first.
+  /// Return vertices of the file in order. `GetPlaces` returns the places alone, `GetPath` the places with all vertices
+  /// between. For a closed curve the path includes the vertices from the last place to the first.
   [[nodiscard]] std::vector<Index> GetPlaces() const;
   [[nodiscard]] std::vector<Index> GetPath() const;
 
-  /// Inserts a place before the `n`-th one, or moves that one. False, and no change, for a vertex that no face uses,
-  /// that is a place already, or to which no edges lead from the others.
+  /// `InsertPlace` inserts a place before the `n`-th one, `MovePlace` moves that one. Both return false, and change
+  /// nothing, for three kinds of vertices. These are a vertex that no face uses, one that is a place already, and one
+  /// to which no edges lead from the others.
   bool InsertPlace(int n, std::optional<Index> vertex);
   bool MovePlace(int n, std::optional<Index> vertex);
 
-  /// The vertex for a click on a pixel, found by `SurfacePicker` within 12 pixels; none beside the surface.
+  /// Returns the vertex for a click on a pixel. `SurfacePicker` finds it within 12 pixels. Beside the surface there is
+  /// none.
   [[nodiscard]] std::optional<Index> VertexAt(const DisplayPoint& pixel) const;
-  /// Whether a click there closes the curve: the first of three places or more is within 12 pixels.
+  /// Tells whether a click on the pixel closes the curve. It does where the first of three places or more is within 12
+  /// pixels.
   [[nodiscard]] bool IsAtFirst(const DisplayPoint& pixel);
   [[nodiscard]] bool IsClosable() const;
 
-  /// Shows the path from the last place to a vertex, or that vertex alone.
+  /// Shows the path from the last place to a vertex. Where there is no place yet, it shows that vertex alone.
   void SetPreview(std::optional<Index> vertex);
   [[nodiscard]] const std::vector<Index>& GetPreview() const { return this->Preview; }
 
-  // VTK's functions for nodes. A place in space means the nearest vertex, O(N).
+  // These are VTK's functions for nodes. A place in space means the nearest vertex, O(N).
   using vtkContourRepresentation::ActivateNode;
   using vtkContourRepresentation::AddIntermediatePointWorldPosition;
   using vtkContourRepresentation::AddNodeAtDisplayPosition;
@@ -96,14 +101,15 @@ class SurfaceCurveRepresentation : public DrawnByProps<vtkContourRepresentation>
     return this->SetNthNodeDisplayPosition(this->ActiveNode, pixel);
   }
   int AddIntermediatePointWorldPosition(int n, double place[3], vtkIdType vertex) override;
-  /// The nearest visible place within 12 pixels.
+  /// Makes the nearest visible place within 12 pixels the active one, and returns 1. Without one it returns 0, and no
+  /// place is active.
   int ActivateNode(double pixel[2]) override;
   void ClearAllNodes() override;
 
   void BuildRepresentation() override;
   int ComputeInteractionState(int x, int y, int modified = 0) override;
   void StartWidgetInteraction(double /*pixel*/[2]) override {}
-  /// Takes the active place, while it is translated, to the vertex under the cursor.
+  /// Takes the active place to the vertex under the cursor, while that place is translated.
   void WidgetInteraction(double pixel[2]) override;
   vtkPolyData* GetContourRepresentationAsPolyData() override;
 
@@ -144,11 +150,30 @@ class SurfaceCurveRepresentation : public DrawnByProps<vtkContourRepresentation>
   PointSprites ClosingRing{SpriteShape::Ring};
 };
 
-/// Clicks place vertices that shortest paths of edges join. A click within 12 pixels of the first one closes the curve;
-/// then its places can be dragged, and a drag from elsewhere on it adds one. Clicks are as in `Click`.
+/// Draws a closed curve along the edges of a surface. Clicks place vertices, which shortest paths of edges join. A
+/// click within 12 pixels of the first vertex closes the curve. Then its places can be dragged, and a drag from
+/// elsewhere on it adds one. A click is as `Click` describes.
 ///
-/// `FollowCursor`, on by default, shows the way to the vertex under the cursor; `ContinuousDraw` and
-/// `AllowNodePicking` are without effect. `CloseLoop` closes without an event. Disabling keeps the curve.
+///     vtkNew<SurfaceCurveWidget> curve;
+///     curve->SetInteractor(interactor);
+///     curve->SetSurface(surface);
+///     curve->SetRegions(std::make_shared<VertexRegions>(model.mesh, model.solverMesh));
+///     curve->AddObserver(vtkCommand::EndInteractionEvent, &tool, &Tool::cut);  // call data: `std::vector<Index>*`
+///     curve->On();
+///
+/// These are the bindings, each with its widget event:
+///
+///     MouseMoveEvent                    Move: shows the way to the vertex under the cursor, or drags a place
+///     LeaveEvent                        HoverLeave: hides that way
+///     LeftButtonPressEvent              Select: begins a click, or a drag on a closed curve
+///     LeftButtonReleaseEvent            EndSelect: places a vertex, closes the curve, or ends the drag
+///     LeftButtonDoubleClickEvent        AddFinalPoint: closes the curve
+///     KeyPressEvent Return, KP_Enter    AddFinalPoint: closes the curve
+///     KeyPressEvent BackSpace, Delete   Delete: removes the place under the cursor (closed curve), else the last one
+///     KeyPressEvent Escape              Reset: takes back a drag, or else all places
+///
+/// `FollowCursor`, on by default, shows the way to the vertex under the cursor. `ContinuousDraw` and `AllowNodePicking`
+/// have no effect. `CloseLoop` closes the curve without an event. Disabling keeps the curve.
 class SurfaceCurveWidget : public WidgetOf<SurfaceCurveRepresentation, vtkContourWidget> {
  public:
   static SurfaceCurveWidget* New();
@@ -157,36 +182,40 @@ class SurfaceCurveWidget : public WidgetOf<SurfaceCurveRepresentation, vtkContou
   [[nodiscard]] SurfaceCurveRepresentation* GetSurfaceCurveRepresentation() { return &this->Drawn(); }
   void SetEnabled(int enabling) override;
 
-  /// Null (the default): no curve. Positions may change at any time; a surface of another model removes the curve.
+  /// Sets the surface; with null, the default, there is no curve. Positions may change at any time. A surface of
+  /// another model removes the curve.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
-  /// Those of the surface's model; null (the default): clicks are refused.
+  /// Sets the regions of the surface's model, whose edges the curve follows. With null, the default, clicks are
+  /// refused.
   void SetRegions(std::shared_ptr<const VertexRegions> regions) { this->Drawn().SetRegions(std::move(regions)); }
   void SetPixelRatio(double ratio) { this->Drawn().SetPixelRatio(ratio); }
   [[nodiscard]] double GetPixelRatio() { return this->Drawn().GetPixelRatio(); }
 
-  /// As of the representation: the vertices that were clicked, and those with all between.
+  /// Return what the representation returns: the places, and the places with all vertices between.
   [[nodiscard]] std::vector<Index> GetPlaces() { return this->Drawn().GetPlaces(); }
   [[nodiscard]] std::vector<Index> GetPath() { return this->Drawn().GetPath(); }
   [[nodiscard]] bool IsClosed() { return this->Drawn().GetClosedLoop() != 0; }
 
-  /// An open curve through these vertices instead, without an event. Surface and regions are set. False, and no curve,
-  /// where one cannot be a place (`SurfaceCurveRepresentation::InsertPlace`).
+  /// Makes an open curve through these vertices instead, without an event. Call it after surface and regions are set.
+  /// It returns false, and there is no curve, where a vertex cannot be a place
+  /// (`SurfaceCurveRepresentation::InsertPlace`).
   bool SetPlaces(const std::vector<Index>& vertices);
-  /// No curve, without an event.
+  /// Removes the curve, without an event.
   void Clear();
 
-  // As mouse and keys, with the same events.
+  // The functions below do what mouse and keys do, with the same events.
 
-  /// Puts a place at the end of an open curve. False where that is not possible.
+  /// Puts a place at the end of an open curve. It returns false where that is not possible.
   bool AddPlace(Index vertex);
-  /// False for a closed curve, and for fewer than three places.
+  /// Closes the curve. It returns false for a closed curve, and for fewer than three places.
   bool Close();
-  /// Takes the last place back; the curve is open then. False where there is none.
+  /// Takes the last place back, after which the curve is open. It returns false where there is none.
   bool RemoveLast();
-  /// Takes a drag back, or else all places. False where there are none.
+  /// Takes a drag back, or else all places. It returns false where there are none.
   bool Cancel();
 
-  /// As VTK's, from points near vertices or, better, from vertices. An open line can be continued.
+  /// Makes a curve as VTK's function does, from points near vertices or, better, from `vertices`. An open line can be
+  /// continued.
   void Initialize(vtkPolyData* line, int state = 1, vtkIdList* vertices = nullptr) override;
   using vtkContourWidget::Initialize;
 
@@ -197,7 +226,7 @@ class SurfaceCurveWidget : public WidgetOf<SurfaceCurveRepresentation, vtkContou
   void Stop() override;
 
  private:
-  // One for each widget event: whether the VTK event has been used.
+  // There is one for each widget event. It returns whether it has used the VTK event.
   bool Press();
   bool MoveTo();
   bool Release();
@@ -211,7 +240,7 @@ class SurfaceCurveWidget : public WidgetOf<SurfaceCurveRepresentation, vtkContou
   void ShowChanges();
   [[nodiscard]] bool IsDragging() { return this->Drawn().GetCurrentOperation() != vtkContourRepresentation::Inactive; }
 
-  std::vector<Index> PlacesBefore;  // the drag that is under way
+  std::vector<Index> PlacesBefore;  // as they were before the drag that is under way
 };
 
 }  // namespace holdfast

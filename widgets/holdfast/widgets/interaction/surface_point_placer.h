@@ -1,5 +1,6 @@
 #pragma once
-/// A surface for VTK's handles and contours: where a point is placed, and which line joins two of them.
+/// A surface for VTK's handles and contours: the surface decides where a point is placed, and which line joins two
+/// points.
 
 #include <memory>
 #include <optional>
@@ -15,33 +16,42 @@
 
 namespace holdfast {
 
-/// Its points are visible, in double precision, and have the weights that a constraint there would have.
+/// Places points of VTK's handles and contours on a surface. The points are visible and in double precision. They have
+/// the weights that a constraint there would have.
+///
+///     vtkNew<SurfacePointPlacer> placer;
+///     placer->SetSurface(surface);
+///     vtkNew<vtkPointHandleRepresentation3D> drawn;
+///     drawn->SetPointPlacer(placer);
+///     handle->SetRepresentation(drawn);  // a vtkHandleWidget
 class SurfacePointPlacer : public vtkPointPlacer {
  public:
   static SurfacePointPlacer* New();
   vtkTypeMacro(SurfacePointPlacer, vtkPointPlacer)
 
-  /// Null (the default): no points. May change at any time.
+  /// Sets the surface; with null, the default, there are no points. It may change at any time.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface) { assign(*this, this->Surface, std::move(surface)); }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
-  /// `Nearest` by default.
+  /// Sets what points may lie on; `Nearest` by default.
   vtkSetEnumMacro(Kind, PickKind);
   [[nodiscard]] PickKind GetKind() const { return this->Kind; }
 
-  /// How near the cursor a vertex or an edge is taken, pixels of a display of ordinary resolution; 7 by default.
+  /// Sets how near to the cursor a vertex or an edge is taken, in pixels of a display of ordinary resolution. The
+  /// default is 7.
   vtkSetClampMacro(SnapPixels, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SnapPixels, double);
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
   vtkGetMacro(PixelRatio, double);
 
-  /// The point that a click on a pixel of the renderer's window means, as `SurfacePicker::pick`.
+  /// Returns the point that a click on a pixel of the renderer's window means, as `SurfacePicker::pick` does.
   [[nodiscard]] std::optional<SurfacePick> Pick(vtkRenderer& renderer, const double displayPos[2]) const;
 
-  /// The last point that one of the functions below has placed; none before the first.
+  /// Returns the last point that one of the functions below has placed; none before the first.
   [[nodiscard]] const std::optional<SurfacePick>& GetLastPick() const { return this->LastPick; }
 
-  /// 1 and the place of the point on the surface, or 0. The orientation is the identity.
+  /// Writes the place of the point on the surface and returns 1, or returns 0 where there is no point. The orientation
+  /// is the identity.
   int ComputeWorldPosition(vtkRenderer* renderer, double displayPos[2], double worldPos[3],
                            double worldOrient[9]) override;
   int ComputeWorldPosition(vtkRenderer* renderer, double displayPos[2], double* /*refWorldPos*/, double worldPos[3],
@@ -49,7 +59,7 @@ class SurfacePointPlacer : public vtkPointPlacer {
   {
     return this->ComputeWorldPosition(renderer, displayPos, worldPos, worldOrient);
   }
-  /// 1: what was placed once stays valid when the surface has moved on.
+  /// Returns 1: what was placed once stays valid when the surface has moved on.
   int ValidateWorldPosition(double* /*worldPos*/) override { return 1; }
   int ValidateWorldPosition(double* /*worldPos*/, double* /*worldOrient*/) override { return 1; }
 
@@ -65,22 +75,25 @@ class SurfacePointPlacer : public vtkPointPlacer {
   std::optional<SurfacePick> LastPick;
 };
 
-/// Joins nodes of a contour by shortest paths of edges at rest. `PointId` of nodes and of points between is the vertex.
+/// Joins nodes of a contour by shortest paths of edges at rest. The `PointId` of a node, or of a point between nodes,
+/// is the vertex.
 class SurfaceCurveInterpolator : public vtkContourLineInterpolator {
  public:
   static SurfaceCurveInterpolator* New();
   vtkTypeMacro(SurfaceCurveInterpolator, vtkContourLineInterpolator)
 
-  /// Until both are there, and made of one model, nothing is joined; null by default.
+  /// Set the surface and the regions; both are null by default. Nothing is joined until both are set and made of one
+  /// model.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface) { assign(*this, this->Surface, std::move(surface)); }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
   void SetRegions(std::shared_ptr<const VertexRegions> regions) { assign(*this, this->Regions, std::move(regions)); }
   [[nodiscard]] const std::shared_ptr<const VertexRegions>& GetRegions() const { return this->Regions; }
 
-  /// The vertices of a shortest path with both ends, between them the first of each unknown; none where no edges join.
+  /// Returns the vertices of a shortest path, with both ends. Between the ends it has the first vertex of each unknown.
+  /// It is empty where no edges join the two.
   [[nodiscard]] std::vector<Index> Path(Index from, Index to);
 
-  /// 1, or 0 where nothing joins the nodes.
+  /// Returns 1, or 0 where nothing joins the nodes.
   int InterpolateLine(vtkRenderer* renderer, vtkContourRepresentation* contour, int from, int to) override;
 
  protected:

@@ -14,18 +14,20 @@
 
 namespace holdfast {
 
-/// A ring around a mark that differs for vertex, edge and face, and the outline of the edge or the face; hidden parts
-/// of the outline are faint. The surface around the point does not cut the ring, a surface before it hides it.
+/// Draws a ring around a mark, and the outline of the edge or the face. The mark differs for vertex, edge and face.
+/// Hidden parts of the outline are faint. The surface around the point does not cut the ring, but a surface before it
+/// hides it.
 class SurfacePointRepresentation : public DrawnByProps<vtkWidgetRepresentation> {
  public:
   static SurfacePointRepresentation* New();
   vtkTypeMacro(SurfacePointRepresentation, vtkWidgetRepresentation)
 
-  /// A point that is shown moves with it, and is removed where it is another mesh's. Null, the default: none is shown.
+  /// Sets the surface. A point that is shown moves with it, and is removed where the surface is that of another mesh.
+  /// With null, the default, no point is shown.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
-  /// Shows the location of `pick`; none, the default, and without a surface: nothing.
+  /// Shows the location of `pick`. It shows nothing for none, the default, and while there is no surface.
   void SetPreview(std::optional<SurfacePick> pick);
   [[nodiscard]] const std::optional<SurfacePick>& GetPreview() const { return this->Preview; }
 
@@ -49,12 +51,27 @@ class SurfacePointRepresentation : public DrawnByProps<vtkWidgetRepresentation> 
   vtkNew<BlendedActor> Line;
 };
 
-/// Shows the point that a click would take. Clicks are as in `Click`; the second press of a double click begins none.
+/// Shows the point that a click would take, and reports it when it is clicked. A click is as `Click` describes. The
+/// second press of a double click begins no click.
 ///
-/// Keys are those of CharEvent, by which VTK's own styles would quit or fly: those that are used are aborted.
+///     vtkNew<SurfacePointWidget> point;
+///     point->SetInteractor(interactor);
+///     point->SetSurface(surface);
+///     point->AddObserver(vtkCommand::PlacePointEvent, &tool, &Tool::hold);  // call data: `SurfacePick*`
+///     point->On();
+///
+/// These are the bindings, each with its widget event:
+///
+///     MouseMoveEvent                  Move: shows the point under the cursor
+///     LeaveEvent, MouseWheel...Event  HoverLeave: hides it
+///     LeftButtonPressEvent            Select: begins a click
+///     LeftButtonReleaseEvent          AddPoint: ends the click, and reports the point
+///     CharEvent v, e, f, a            ChooseVertices, ChooseEdges, ChooseFaces, ChooseNearest
+///
+/// The keys are those of CharEvent, by which VTK's own styles would quit or fly. The widget aborts those that it uses.
 class SurfacePointWidget : public WidgetOf<SurfacePointRepresentation> {
  public:
-  /// Widget events beside those of VTK.
+  /// Widget events beside those of VTK. Each chooses what points may lie on.
   enum WidgetEvents : unsigned long {
     ChooseVertices = vtkWidgetEvent::HoverLeave + 18'500,
     ChooseEdges,
@@ -67,15 +84,17 @@ class SurfacePointWidget : public WidgetOf<SurfacePointRepresentation> {
 
   [[nodiscard]] SurfacePointRepresentation* GetSurfacePointRepresentation() { return &this->Drawn(); }
 
-  /// Null (the default): no points. May change at any time, see `SurfacePointRepresentation::SetSurface`.
+  /// Sets the surface; with null, the default, there are no points. It may change at any time, see
+  /// `SurfacePointRepresentation::SetSurface`.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
-  /// As a key does, without `WidgetValueChangedEvent`.
+  /// Chooses what points may lie on, as a key does, but without `WidgetValueChangedEvent`.
   void SetKind(PickKind kind);
   [[nodiscard]] PickKind GetKind() const { return this->Placer->GetKind(); }
-  /// The ratio of placer and representation.
+  /// Sets the ratio of placer and representation.
   void SetPixelRatio(double ratio);
   [[nodiscard]] double GetPixelRatio() const { return this->Placer->GetPixelRatio(); }
-  /// It finds the point at the cursor. Set its `SnapPixels` here, all else above.
+  /// Returns the placer, which finds the point at the cursor. Set its `SnapPixels` here, all else by the functions
+  /// above.
   [[nodiscard]] SurfacePointPlacer* GetPlacer() const { return this->Placer; }
 
   /// Shows a point as the mouse does, or none, without an event.
@@ -83,7 +102,7 @@ class SurfacePointWidget : public WidgetOf<SurfacePointRepresentation> {
   void HidePreview() { this->SetPreview(std::nullopt); }
   [[nodiscard]] const std::optional<SurfacePick>& GetPreview() { return this->Drawn().GetPreview(); }
 
-  /// Whether a key is bound. A window asks this before its shortcuts.
+  /// Tells whether a key is bound. A window asks this before its shortcuts.
   [[nodiscard]] bool WantsKey(char key) const;
 
  protected:

@@ -1,5 +1,6 @@
 #pragma once
-/// Constraints in a picture: glyphs in the shape of what they hold and the colour of their status, lines to targets.
+/// Glyphs show constraints in a picture. Their shape says what a constraint holds, and their colour is its status.
+/// Lines lead to targets.
 
 #include <memory>
 #include <optional>
@@ -17,46 +18,56 @@
 
 namespace holdfast {
 
-/// Dark for met, slate where nothing was solved, white for redundant, orange-red for conflicting, purple for missed,
-/// grey for disabled: they differ in lightness or hue on every colour of the map.
+/// Returns the colour of a status. It is dark for met, slate where nothing was solved, and white for redundant. It is
+/// orange-red for conflicting, purple for missed, and grey for disabled. They differ in lightness or hue on every
+/// colour of the map.
 [[nodiscard]] Color glyphColor(ConstraintStatus status);
 
-/// As that of its status; marks of rigid regions that are met are brown.
+/// Returns the colour of a mark, which is that of its status. Marks of rigid regions that are met are brown.
 [[nodiscard]] Color glyphColor(const ConstraintMark& mark);
 
-/// The colour of vertices that are selected and of what is under the cursor: a violet that no colour map has.
+/// Selected vertices and what is under the cursor have this violet. No colour map has it.
 inline constexpr Color kAccentColor{0.61, 0.17, 1.00};
 
-/// The colour of constraints that are selected: a magenta that no colour map has.
+/// Selected constraints have this magenta. No colour map has it.
 inline constexpr Color kSelectedColor{1.00, 0.00, 0.83};
 
-/// Whether single points that lie behind a surface show through it.
+/// The way in which single points behind a surface show: not at all, or faintly through it.
 enum class HiddenMarks { Invisible, Faint };
 
 /// The actors of some marks, without the tints of regions. Glyphs and lines keep their size in pixels whatever the
-/// camera does: balls for points on vertices and for relative constraints, which a dashed line joins to their other
-/// place; beads on a bar for points on edges; triangles for points in faces; dots for the vertices of regions and for
-/// targets that are not reached. Those of disabled constraints are hollow.
+/// camera does. Glyphs of disabled constraints are hollow. These are the shapes:
+/// - Points on vertices and relative constraints are balls. A dashed line joins a relative constraint to its other
+///   place.
+/// - Points on edges are beads on a bar.
+/// - Points in faces are triangles.
+/// - The vertices of regions and the targets that are not reached are dots.
+///
+///     ConstraintGlyphs glyphs;
+///     glyphs.setMarks(markSet(model, constraintMarks(model, result), nullptr));
+///     for (vtkActor* const actor : glyphs.actors()) renderer->AddActor(actor);
 class ConstraintGlyphs {
  public:
   ConstraintGlyphs();
 
-  /// In the place of all that there were; not null. O(those that are drawn).
+  /// Shows `marks` in place of all marks that there were. They are not null. O(those that are drawn).
   void setMarks(std::shared_ptr<const MarkSet> marks);
   [[nodiscard]] const std::shared_ptr<const MarkSet>& marks() const noexcept { return marks_; }
 
-  /// Rings around the points of these constraints, places in the list, and larger dots on their regions.
+  /// Draws rings around the points of these constraints, and larger dots on their regions. `constraints` are places in
+  /// the list.
   void highlight(std::vector<Index> constraints);
 
-  /// The diameter of a single point's ball, in pixels of the window; all other sizes follow.
+  /// Sets the diameter of a single point's ball, in pixels of the window. All other sizes follow it.
   void setBallPixels(double pixels);
 
   void setHiddenMarks(HiddenMarks hidden);
 
-  /// Draws the marks whose places a plane keeps, and the lines that begin or end there; none: all.
+  /// Draws only the marks whose places a plane keeps, and the lines that begin or end there. Without a plane, draws
+  /// all.
   void setSection(const std::optional<SectionPlane>& section);
 
-  /// All of them, in the order in which they are drawn.
+  /// Returns all actors, in the order in which they are drawn.
   [[nodiscard]] std::vector<vtkActor*> actors() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// A few points of many that lie about equally far from one another.
+/// `evenlySpread` chooses a few points of many that lie about equally far from one another.
 
 #include <vector>
 
@@ -7,10 +7,11 @@
 
 namespace holdfast {
 
-/// About `target` (larger than 0) of the `points` at `among`, in that order: no two are nearer to one another than some
-/// distance, and none of `among` is farther than that from all of them. About O(N) for N in `among`.
+/// Chooses about `target` (larger than 0) of the `points` whose numbers are in `among`. Returns them in that order. No
+/// two of them are nearer to one another than some distance. Each point of `among` has a chosen one within that
+/// distance. About O(N) for N in `among`.
 [[nodiscard]] std::vector<Index> evenlySpread(const Positions& points, const std::vector<Index>& among, Index target);
-/// The same of all of `points`: their places, ascending.
+/// Chooses among all of `points` in the same way. Returns their places, ascending.
 [[nodiscard]] std::vector<Index> evenlySpread(const Positions& points, Index target);
 
 }  // namespace holdfast

@@ -1,5 +1,6 @@
 #pragma once
-/// Marks of constraints: places, targets, statuses, and which are drawn. Any thread may make them.
+/// Marks show where constraints act. They have places, targets and statuses, and some of them are drawn. Any thread may
+/// make them.
 
 #include <cstdint>
 #include <memory>
@@ -12,7 +13,7 @@
 
 namespace holdfast {
 
-/// What a constraint holds at a mark. Each kind has its own shape in pictures.
+/// The kind of a mark says what a constraint holds there. Each kind has its own shape in pictures.
 enum class MarkKind {
   Selection,  ///< a vertex of a fixed region or of a handle
   Rigid,      ///< a vertex of a rigid region
@@ -22,66 +23,79 @@ enum class MarkKind {
   Relative    ///< the place that `from` of a relative constraint names
 };
 
-/// A constraint of type point or relative, which users find one by one; else one vertex of many.
+/// Tells whether the mark is a constraint of type point or relative. Users find those one by one. Any other mark is one
+/// vertex of many.
 [[nodiscard]] constexpr bool isSinglePoint(MarkKind kind)
 {
   return kind != MarkKind::Selection && kind != MarkKind::Rigid;
 }
 
-/// One row of B in a picture, or one that there would be if its constraint were enabled.
+/// A mark is one row of B in a picture. A disabled constraint has marks for the rows that it would have.
 struct ConstraintMark {
   Vector3 place;   ///< where the point is, model units
-  Vector3 target;  ///< where it was to be
+  Vector3 target;  ///< where the point should be
   ConstraintStatus status = ConstraintStatus::Met;
   MarkKind kind = MarkKind::Selection;
-  Index constraint = 0;      ///< place in the list
-  Vector3 rest = {0, 0, 0};  ///< where the point is at rest: marks are thinned by this, so that none flickers
-  std::optional<Vector3> other = std::nullopt;  ///< of relative constraints: where the place is that `to` names
-  Index unknown = -1;                           ///< of regions: the vertex
-  Index reference = -1;                         ///< of rigid regions: the first vertex, to which the others refer
-  Index nearest = -1;                           ///< of the unknowns that make the place: that of the largest weight
+  Index constraint = 0;  ///< the place of the constraint in the list
+  /// The place of the point at rest. Marks are thinned by it, so that none flickers.
+  Vector3 rest = {0, 0, 0};
+  /// The place that `to` of a relative constraint names.
+  std::optional<Vector3> other = std::nullopt;
+  Index unknown = -1;    ///< of a region: the unknown of the vertex
+  Index reference = -1;  ///< of a rigid region: its first vertex, to which the others refer
+  Index nearest = -1;    ///< of the unknowns that make the place, the one with the largest weight
 };
 
-/// A mark for each row that has terms, in the order of rows. One of a rigid region lies at its vertex, one of a
-/// relative constraint at the place that `from` names; both want to lie as they should to the other place. O(rows).
+/// Makes a mark for each row that has terms, in the order of rows. The mark of a rigid region lies at its vertex. That
+/// of a relative constraint lies at the place that `from` names. The target of both is where they should lie as the
+/// other place is now. O(rows).
 [[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResult& deformation);
 
-/// The same, and where the disabled constraints of `list`, which `deformation` was made of, would act. `places` are
-/// those of lists before this one on the same model.
+/// Makes the same marks and adds those of the disabled constraints of `list`. These lie where the constraints would
+/// act. `deformation` was made of `list`. `places` are those that earlier lists on the same model had.
 [[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const ConstraintList& list,
                                                           const DeformResult& deformation, KnownPlaces& places);
+/// Makes the same marks. No places of earlier lists are known.
 [[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const ConstraintList& list,
                                                           const DeformResult& deformation);
 
-/// Whether a constraint of this status is not where it should be.
+/// Tells whether a constraint of this status is not where it should be.
 [[nodiscard]] bool isOff(ConstraintStatus status);
 
-/// The most dots of one status that are drawn for regions. Marks that conflict or are missed are always drawn.
+/// No more dots than this are drawn of one status for regions. Marks that conflict or are missed are always drawn.
 inline constexpr Index kMostDots = 800;
 
-/// How a region looks: as its status, in the order of `ConstraintStatus`, and last as rigid ones that are met.
+/// The number of looks of a region. A region looks as its status, in the order of `ConstraintStatus`. The last look is
+/// that of rigid regions that are met.
 inline constexpr std::size_t kRegionLooks = 7;
 
-/// The looks of regions at vertices: a bit for each look of a region that the vertex is in.
+/// The looks of regions at vertices. Each look of a region that the vertex is in has a bit.
 using RegionLooks = std::vector<std::uint8_t>;
 
-/// Of all unknowns of a model. A region has the most serious status of its marks; it is redundant where all are.
+/// Returns the looks at all unknowns of a model. A region has the most serious status of its marks. It is redundant
+/// only where all its marks are.
 [[nodiscard]] RegionLooks regionLooks(const Model& model, const std::vector<ConstraintMark>& marks);
 
-/// The places in `marks` of those that are drawn, in the order of drawing: the most serious status is drawn last. Dots
-/// of regions at unknowns that are covered by a tint are left out where all is well with them; empty: none is covered.
+/// Returns the places in `marks` of those that are drawn, in the order of drawing. The most serious status is drawn
+/// last. `isCovered` says for each unknown whether a tint covers it. An empty vector means none. Dots of regions at
+/// covered unknowns are left out where all is well with them.
 [[nodiscard]] std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks,
                                             const std::vector<char>& isCovered = {});
 
-/// Never changes once it is shared.
+/// Marks with the choice of those that are drawn. A set never changes once it is shared.
 struct MarkSet {
   std::vector<ConstraintMark> marks;
-  std::vector<Index> drawn;                  ///< `drawnMarks` of them beside the tints of regions
-  std::shared_ptr<const RegionLooks> looks;  ///< `regionLooks` of them; null where there are no marks
+  std::vector<Index> drawn;                  ///< their `drawnMarks`, beside the tints of regions
+  std::shared_ptr<const RegionLooks> looks;  ///< their `regionLooks`; null where there are no marks
 };
 
-/// `before` was shown before, null at first: its choice of dots and its looks stay where rest places and statuses are
-/// the same.
+/// Makes a set of `marks`. `before` is the set that was shown before, or null at first. Its choice of dots and its
+/// looks stay where places at rest and statuses are the same.
+///
+///     auto marks = markSet(model, constraintMarks(model, result), nullptr);
+///     scene.showMarks(marks);  // SceneContents
+///     marks = markSet(model, constraintMarks(model, nextResult), marks);
+///     scene.showMarks(marks);
 [[nodiscard]] std::shared_ptr<const MarkSet> markSet(const Model& model, std::vector<ConstraintMark> marks,
                                                      const std::shared_ptr<const MarkSet>& before);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The point of the surface that a click would take.
+/// A preview shows the point of the surface that a click would take.
 
 #include <optional>
 #include <vector>
@@ -8,17 +8,18 @@
 
 namespace holdfast {
 
-/// A point under the cursor: its place, and whether it lies on a vertex, on an edge or in a face.
+/// A point under the cursor: its place, and what it lies on, a vertex, an edge or a face.
 struct PreviewedPoint {
   Vector3 place;  ///< model units
   MarkKind kind = MarkKind::Vertex;
 };
 
-/// The actors of one such point: a ring around the glyph that a constraint there would have.
+/// The actors of one such point. A ring lies around the glyph that a constraint there would have.
 class PointPreview {
  public:
   PointPreview() { set({}); }
 
+  /// Shows `point`, or nothing where there is none.
   void set(const std::optional<PreviewedPoint>& point)
   {
     const bool isOnEdge = point && point->kind == MarkKind::Edge;
@@ -32,7 +33,7 @@ class PointPreview {
     show(ring_, point.has_value());
   }
 
-  /// The diameter of the ball of a constraint's point, in pixels of the window.
+  /// Sets the diameter of the ball of a constraint's point, in pixels of the window.
   void setBallPixels(double pixels)
   {
     ball_.setPixels(0.8 * pixels);

@@ -1,5 +1,6 @@
 #pragma once
-/// Small shapes at places in space that face the eye and keep their size in pixels whatever the camera does.
+/// Sprites are small shapes at places in space. They face the eye and keep their size in pixels whatever the camera
+/// does.
 
 #include <vector>
 
@@ -14,6 +15,7 @@
 
 namespace holdfast {
 
+/// The shapes of sprites.
 enum class SpriteShape {
   Ball,    ///< shaded, as if it were round
   Bead,    ///< a disc on a bar, with a light rim
@@ -22,26 +24,32 @@ enum class SpriteShape {
   Ring     ///< a ring around whatever is there, with light rims
 };
 
-/// Which part of sprites is drawn.
+/// The part of sprites that is drawn.
 enum class SpriteDepth {
-  InFront,  ///< what nothing lies before
-  Behind    ///< what lies behind something else, faintly
+  InFront,  ///< the part that nothing lies before
+  Behind    ///< the part behind something else, faintly
 };
 
+/// One sprite: its place and its colour.
 struct Sprite {
   Vector3 place;  ///< model units
   Color color;
 };
 
-/// Sprites of one shape and size.
+/// Sprites of one shape and size, drawn by one actor.
+///
+///     PointSprites balls(SpriteShape::Ball);
+///     balls.set({{Vector3(0, 0, 1), kAccentColor}});  // constraint_glyphs.h
+///     balls.setPixels(12);
+///     renderer->AddActor(&balls.actor());
 class PointSprites {
  public:
   explicit PointSprites(SpriteShape shape, SpriteDepth depth = SpriteDepth::InFront);
 
-  /// In the place of all that there were; of several in one place the last is seen. O(sprites).
+  /// Shows `sprites` in place of all that there were. Of several in one place the last is seen. O(sprites).
   void set(const std::vector<Sprite>& sprites);
 
-  /// The diameter, in pixels of the window.
+  /// Sets the diameter, in pixels of the window.
   void setPixels(double pixels) { actor_->GetProperty()->SetPointSize(static_cast<float>(pixels)); }
 
   [[nodiscard]] vtkActor& actor() const { return *actor_; }
@@ -51,7 +59,8 @@ class PointSprites {
   vtkSmartPointer<vtkActor> actor_;
 };
 
-/// Balls of one size and colour at some of the points of a mesh that is drawn: nothing is copied when these move.
+/// Makes `actor` draw balls of one size and colour at some of the points of a mesh that is drawn. Nothing is copied
+/// when the points move.
 void showPointsAsBalls(vtkActor& actor, const Color& color);
 
 }  // namespace holdfast

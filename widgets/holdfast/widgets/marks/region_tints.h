@@ -1,5 +1,5 @@
 #pragma once
-/// Fixed, handle and rigid regions as tinted faces with outlines.
+/// Tinted faces with outlines show fixed, handle and rigid regions.
 
 #include <memory>
 #include <vector>
@@ -9,21 +9,21 @@
 
 namespace holdfast {
 
-/// The tints of regions, each in the colour that its glyphs have, and of those that are selected.
+/// The tints of regions, and of the regions that are selected. Each tint has the colour of the glyphs of its region.
 class RegionTints {
  public:
-  /// `mesh` stays alive as long as this.
+  /// Makes tints without regions. `mesh` must stay alive as long as the tints.
   explicit RegionTints(const MeshActor& mesh);
 
-  /// Of what is drawn of the mesh now: after `MeshActor::setHidden`. O(T).
+  /// Tints what is drawn of the mesh now. Call it after `MeshActor::setHidden`. O(T).
   void refresh();
 
-  /// Not null. O(T) where regions or their statuses have changed.
+  /// Tints the regions of `marks`, which are not null. Costs O(T) where regions or their statuses have changed.
   void show(const std::shared_ptr<const MarkSet>& marks);
-  /// Places in the list. O(T).
+  /// Highlights the regions of these constraints, which are places in the list. O(T).
   void highlight(std::vector<Index> constraints);
 
-  /// In the order in which they are drawn, the selected ones last.
+  /// Returns the tints in the order in which they are drawn. Those of selected regions come last.
   [[nodiscard]] const std::vector<std::unique_ptr<FaceTint>>& tints() const noexcept { return tints_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// The rotation field as arrows: each along the axis about which the surface rotates there.
+/// Arrows show the rotation field. Each lies along the axis about which the surface rotates there.
 
 #include <vector>
 
@@ -11,34 +11,38 @@
 
 namespace holdfast {
 
-/// About how many arrows there are at the most.
+/// About so many arrows are drawn at the most.
 inline constexpr Index kRotationArrows = 400;
 
-/// The surface rotates counterclockwise, seen against the arrow.
+/// One arrow. Seen against the arrow, the surface rotates counterclockwise.
 struct RotationArrow {
-  Index vertex = 0;  ///< of the file
-  Vector3 tail;      ///< where that is, model units
-  Vector3 along;     ///< the whole of it, model units
+  Index vertex = 0;  ///< the vertex of the file
+  Vector3 tail;      ///< the place of the vertex, model units
+  Vector3 along;     ///< the way from tail to head, model units
 };
 
-/// Arrows at `vertices` of the file, at `positions`, along the axes of the logs `q` of all unknowns. 90 degrees, or the
-/// largest angle where that is more, has the length `longest`; angles of less than half a degree have no arrow.
+/// Makes arrows at `vertices` of the file, which lie at `positions`. The arrows lie along the axes of the logs `q`, one
+/// row for each unknown. An arrow has the length `longest` for 90 degrees, or for the largest angle where that is more.
+/// Angles of less than half a degree have no arrow.
 [[nodiscard]] std::vector<RotationArrow> rotationArrows(const Model& model, const std::vector<Index>& vertices,
                                                         const Positions& positions, const Columns3& q, double longest);
 
-/// The actors of such arrows, dark with a light outline, readable on every colour; a surface hides them.
+/// The actors of such arrows. They are dark with a light outline, so they are readable on every colour. A surface hides
+/// them.
 class RotationGlyphs {
  public:
-  /// `model` stays alive as long as this.
+  /// Makes the actors without arrows. `model` must stay alive as long as the glyphs.
   explicit RotationGlyphs(const Model& model);
 
-  /// Shows the field `q`, one row for each unknown, on the mesh at `positions`; no rows: no arrows. O(N) at first.
+  /// Shows the field `q`, one row for each unknown, on the mesh at `positions`. Without rows there are no arrows. O(N)
+  /// at first.
   void set(const Positions& positions, const Columns3& q);
 
-  /// Without arrows at vertices of the file for which `isHidden`; empty: with all. For the next `set`.
+  /// Leaves out arrows at vertices of the file for which `isHidden` holds. An empty vector leaves out none. It takes
+  /// effect at the next `set`.
   void setHidden(std::vector<char> isHidden) { isHidden_ = std::move(isHidden); }
 
-  /// In the order in which they are drawn.
+  /// Returns the actors in the order in which they are drawn.
   [[nodiscard]] std::vector<vtkActor*> actors() const { return {outlines_, arrows_}; }
 
  private:

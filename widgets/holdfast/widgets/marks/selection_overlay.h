@@ -1,5 +1,5 @@
 #pragma once
-/// Vertices that are selected, on the mesh that is drawn.
+/// An overlay shows the selected vertices on the mesh that is drawn.
 
 #include <vector>
 
@@ -12,22 +12,23 @@
 
 namespace holdfast {
 
-/// No more vertices than this are dotted, evenly spread.
+/// No more vertices than this have dots. They are evenly spread.
 inline constexpr Index kMostSelectionDots = 2000;
 
-/// A tint with an outline over the triangles between them, and small dots on vertices without such a triangle.
+/// The look of selected vertices. A tint with an outline lies over the triangles between them. Small dots lie on
+/// vertices without such a triangle.
 class SelectionOverlay {
  public:
-  /// Both stay alive as long as this.
+  /// Makes an overlay without vertices. `model` and `mesh` must stay alive as long as the overlay.
   SelectionOverlay(const Model& model, const MeshActor& mesh);
 
-  /// File vertices, in any order. Those that no face uses do not show. O(T).
+  /// Selects these vertices of the file, in any order. Those that no face uses do not show. O(T).
   void set(const std::vector<Index>& fileVertices);
 
-  /// Of what is drawn of the mesh now: after `MeshActor::setHidden`. O(T).
+  /// Shows the selection on what is drawn of the mesh now. Call it after `MeshActor::setHidden`. O(T).
   void refresh();
 
-  /// The diameter of dots, in pixels of the window.
+  /// Sets the diameter of dots, in pixels of the window.
   void setDotPixels(double pixels) { dots_->GetProperty()->SetPointSize(static_cast<float>(pixels)); }
 
   [[nodiscard]] vtkActor& dots() const { return *dots_; }

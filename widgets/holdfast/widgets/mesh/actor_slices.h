@@ -1,5 +1,5 @@
 #pragma once
-/// A large mesh, some of its cells at a time.
+/// Slices draw a large mesh some of its cells at a time.
 
 #include <vector>
 
@@ -14,21 +14,26 @@
 
 namespace holdfast {
 
-/// Triangles, or lines, that are drawn in a few milliseconds without a GPU.
+/// So many triangles or lines are drawn in a few milliseconds without a GPU.
 inline constexpr Index kSliceCells = 20'000;
 
-/// The cells of one actor in their order, cut into slices that share its points. They are made when first shown.
+/// The cells of one actor in their order, cut into slices that share its points. A slice is made when it is first
+/// shown.
 class ActorSlices {
  public:
-  /// Slices the polygons, or else the lines, of `whole`, a mapper of `actor`. Both stay alive as long as this.
+  /// Slices the polygons of `whole`, or else its lines. `whole` is a mapper of `actor`. Both must stay alive as long as
+  /// the slices.
   ActorSlices(vtkActor& actor, vtkPolyDataMapper& whole) : actor_(actor), whole_(whole) {}
   ActorSlices(const ActorSlices&) = delete;
   ActorSlices& operator=(const ActorSlices&) = delete;
 
   [[nodiscard]] vtkActor& actor() const noexcept { return actor_; }
+  /// Returns the number of slices.
   [[nodiscard]] Index count() const { return (cells().GetNumberOfCells() + kSliceCells - 1) / kSliceCells; }
-  /// The actor draws one of `count` slices only, until it is given another mapper. O(`kSliceCells`) the first time.
+  /// Makes the actor draw only one of the `count` slices, until it is given another mapper. O(`kSliceCells`) the first
+  /// time.
   void show(Index slice);
+  /// Makes the actor draw all its cells again.
   void showWhole() { actor_.SetMapper(&whole_); }
 
  private:

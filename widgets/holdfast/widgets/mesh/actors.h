@@ -1,5 +1,6 @@
 #pragma once
-/// Actors that are blended with what is there, without an order of their own, and repeated steps of setting up actors.
+/// Some actors here are blended with the picture without an order of their own. The functions are steps that set up
+/// actors.
 
 #include <vtkNew.h>
 #include <vtkOpenGLActor.h>
@@ -11,8 +12,9 @@
 
 namespace holdfast {
 
-/// Drawn with the opaque actors, in their order, blended with the picture so far, without writing depths. VTK's own
-/// translucent pass copies the depths and so waits for the whole picture on a machine without a GPU.
+/// An actor that is drawn with the opaque actors, in their order. It is blended with the picture so far and writes no
+/// depths. VTK's own translucent pass copies the depths. On a machine without a GPU it therefore waits for the whole
+/// picture.
 class BlendedActor : public vtkOpenGLActor {
  public:
   static BlendedActor* New();
@@ -24,14 +26,14 @@ class BlendedActor : public vtkOpenGLActor {
   BlendedActor() { ForceOpaqueOn(); }
 };
 
-/// A surface drawn farther from the eye than it is: by what its depth changes within a pixel, and a little more. Lines
-/// that lie on it are then drawn whole at any angle.
+/// A surface that is drawn farther from the eye than it is. The distance is the change of its depth within a pixel, and
+/// a little more. Lines that lie on the surface are then drawn whole at any angle.
 class PushedActor : public vtkOpenGLActor {
  public:
   static PushedActor* New();
   vtkTypeMacro(PushedActor, vtkOpenGLActor)
 
-  /// A share of that, 1 by default: what lies on the surface, below its lines, takes less.
+  /// Sets the share of that distance, 1 by default. A tint that lies on the surface, below its lines, takes less.
   void SetPush(double share) { Push = share; }
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
 
@@ -42,7 +44,7 @@ class PushedActor : public vtkOpenGLActor {
   double Push = 1;
 };
 
-/// Draws only what is behind the picture so far.
+/// An actor of which only the part behind the picture so far is drawn.
 class BehindActor : public BlendedActor {
  public:
   static BehindActor* New();
@@ -54,25 +56,26 @@ class BehindActor : public BlendedActor {
   BehindActor() { GetProperty()->SetOpacity(0.30); }
 };
 
-/// `Actor`: of three dimensions or of two.
+/// Sets the colour of an actor, of three dimensions or of two.
 template <class Actor>
 void setColor(Actor& actor, const Color& color)
 {
   actor.GetProperty()->SetColor(color.red, color.green, color.blue);
 }
 
-/// Pixels of the window.
+/// Sets the width of lines, in pixels of the window.
 inline void setLineWidth(vtkActor& actor, double pixels)
 {
   actor.GetProperty()->SetLineWidth(static_cast<float>(pixels));
 }
 
+/// Sets the diameter of points, in pixels of the window.
 inline void setPointSize(vtkActor& actor, double pixels)
 {
   actor.GetProperty()->SetPointSize(static_cast<float>(pixels));
 }
 
-/// The actor draws `data` by a mapper of its own, which is returned.
+/// Makes the actor draw `data` by a mapper of its own. Returns the mapper.
 inline vtkPolyDataMapper& showData(vtkActor& actor, vtkPolyData& data)
 {
   const vtkNew<vtkPolyDataMapper> mapper;

@@ -1,5 +1,5 @@
 #pragma once
-/// A deformation as a filter of VTK.
+/// This filter of VTK deforms a mesh.
 
 #include <memory>
 
@@ -9,27 +9,36 @@
 
 namespace holdfast {
 
-/// Deforms the polygons of its input under constraints. The output is the input with moved points, as doubles, and with
-/// the fields of `fieldsOf` as arrays of its points. As long as only targets change, nothing is factorised again.
+/// Deforms the polygons of its input under constraints. The output is the input with moved points, as doubles. The
+/// fields of `fieldsOf` are arrays of its points. As long as only targets change, nothing is factorised again.
 ///
-/// Errors (an unusable mesh or list) are VTK errors with the sentence of the `InputError`; the output is empty then. A
-/// solution that cannot be used, and conflicts, are in the report. Progress events tell the steps (`GetProgressText`).
-/// `SetAbortExecute` ends the execution under way at its next step, and no later one; the output is empty then, until
-/// the filter or its input is modified.
+///     vtkNew<DeformFilter> deform;
+///     deform->SetInputConnection(reader->GetOutputPort());
+///     deform->SetConstraints(readConstraints("points.csv"));
+///     deform->Update();
+///     std::cout << deform->GetReport().solve.message << '\n';
+///     mapper->SetInputConnection(deform->GetOutputPort());
+///
+/// An unusable mesh or list is an error of VTK with the sentence of the `InputError`. The output is empty then. A
+/// solution that cannot be used is in the report, and so are conflicts.
+///
+/// Progress events tell the steps (`GetProgressText`). `SetAbortExecute` ends the execution under way at its next step,
+/// and no later execution. The output is then empty until the filter or its input is modified.
 class DeformFilter : public vtkPolyDataAlgorithm {
  public:
   static DeformFilter* New();
   vtkTypeMacro(DeformFilter, vtkPolyDataAlgorithm)
   void PrintSelf(std::ostream& os, vtkIndent indent) override;
 
-  /// None by default: the shape at rest.
+  /// Sets the constraints. By default there are none, and the output has the shape at rest.
   void SetConstraints(const ConstraintList& constraints);
   [[nodiscard]] const ConstraintList& GetConstraints() const { return this->Constraints; }
 
+  /// Sets the options. With other options than before, the next update prepares the mesh anew.
   void SetOptions(const DeformOptions& options);
   [[nodiscard]] const DeformOptions& GetOptions() const { return this->Options; }
 
-  /// That of the last update.
+  /// Returns the report of the last update.
   [[nodiscard]] const Report& GetReport() const { return this->LastReport; }
 
   DeformFilter(const DeformFilter&) = delete;

@@ -1,5 +1,5 @@
 #pragma once
-/// A mesh as VTK draws it: a smooth surface with crisp edges, in one colour or coloured by values.
+/// VTK draws a mesh as a smooth surface with crisp edges, in one colour or coloured by values.
 
 #include <memory>
 #include <optional>
@@ -24,89 +24,100 @@
 
 namespace holdfast {
 
-/// The colour of surfaces without values.
+/// Surfaces without values have this colour.
 inline constexpr Color kPlainColor{0.70, 0.73, 0.77};
 
-/// Which edges are drawn as lines besides the sharp ones and borders.
+/// The edges that are drawn as lines.
 enum class MeshEdges {
-  Sharp,  ///< none
-  All,    ///< those of all polygons of the file
-  None    ///< not even the sharp ones and borders
+  Sharp,  ///< the sharp ones and borders
+  All,    ///< those of all polygons of the file as well
+  None    ///< no edges, not even the sharp ones and borders
 };
 
-/// How the triangles are drawn. Only shaded ones hide what is behind them.
+/// The way in which the triangles are drawn. Only shaded ones hide what is behind them.
 enum class SurfaceDisplay { Shaded, Wireframe, Points };
 
-/// How much of a large mesh is drawn.
+/// The detail with which a large mesh is drawn.
 enum class Detail {
   Full,
-  Coarse  ///< about `kCoarseTriangles` of its triangles, and of its edges the sharp ones: for what moves
+  /// About `kCoarseTriangles` of its triangles are drawn, and of its edges the sharp ones. This is for what moves.
+  Coarse
 };
 
-/// The actors of one mesh: its surface and, as thin dark lines, its sharp edges and borders.
+/// The actors of one mesh. One is its surface. Others are its sharp edges and borders as thin dark lines.
+///
+///     MeshActor mesh(model);
+///     mesh.setPositions(result.positions);
+///     mesh.setColors(coloring.values, coloring.scale);
+///     renderer->AddActor(&mesh.surface());
+///     renderer->AddActor(&mesh.edges());
 class MeshActor {
  public:
-  /// At rest, in one colour. `model` stays alive as long as this. `shaded` was cut from it; if null it is, O(T log T).
+  /// Makes the actors of the mesh at rest, in one colour. `model` must stay alive as long as they. `shaded` was cut
+  /// from `model`. Where it is null, the surface is cut here, O(T log T).
   explicit MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded = nullptr);
   ~MeshActor();
 
-  /// Moves the mesh: one row for each vertex of the file. O(T); in coarse detail most of it waits for the full one.
+  /// Moves the mesh. `positions` has one row for each vertex of the file. O(T). In coarse detail most of that work
+  /// waits for the full one.
   void setPositions(const Positions& positions);
 
-  /// Colours by `values`, one for each vertex of the file. Between vertices the values are interpolated and then
-  /// coloured; where some are NaN, the colours are interpolated. `pointValues`, one for each point that is drawn, take
-  /// the place of those of vertices where there are any.
+  /// Colours the mesh by `values`, one for each vertex of the file. Between vertices the values are interpolated and
+  /// then coloured. Where some are NaN, the colours are interpolated. `pointValues` has one value for each point that
+  /// is drawn. Unless it is empty, it takes the place of `values`.
   void setColors(const std::vector<double>& values, const ColorScale& scale,
                  const std::vector<double>& pointValues = {});
 
+  /// Draws the mesh in one colour again.
   void clearColors();
 
   void setMeshEdges(MeshEdges edges);
   void setSurfaceDisplay(SurfaceDisplay display);
-  /// Switching costs next to nothing once there are coarse triangles.
+  /// Switches the detail. That costs next to nothing once there are coarse triangles.
   void setDetail(Detail detail);
-  /// Whether the triangles of `coarse` are drawn. A small part of a large mesh is drawn as it is.
+  /// Tells whether the triangles of `coarse` are drawn. A small part of a large mesh is drawn as it is.
   [[nodiscard]] bool isCoarse() const;
-  /// In coarse detail the backs of a solid are not drawn while the eye is outside the box around it and no section
-  /// opens it, which saves a third of the time without a GPU.
+  /// Says where the eye is. In coarse detail the backs of a solid are left out while the eye is outside the box around
+  /// it. They are drawn where a section opens it. Without a GPU that saves a third of the time.
   void lookFrom(const Vector3& eye);
 
-  /// `surface` and `meshEdges` in full detail, a part at a time, until the next `setDetail`.
+  /// Returns the slices of `surface` in full detail. They are drawn a part at a time until the next `setDetail`.
   [[nodiscard]] ActorSlices& surfaceSlices() { return surfaceSlices_; }
+  /// Returns the slices of `meshEdges`, likewise.
   [[nodiscard]] ActorSlices& meshEdgeSlices() { return meshEdgeSlices_; }
 
-  /// Draws only what a plane keeps; none: everything. Moving the plane costs next to nothing.
+  /// Draws only what a plane keeps. Without a plane, draws everything. Moving the plane costs next to nothing.
   void setSection(const std::optional<SectionPlane>& section);
-  /// The planes of `setSection`, for other actors on the mesh.
+  /// Returns the planes of `setSection`, for other actors on the mesh.
   [[nodiscard]] vtkPlaneCollection& sectionPlanes() const { return *sectionPlanes_; }
 
-  /// Leaves out the triangles for which `isHidden`, one for each; empty: draws all. Tints on the mesh are set again
-  /// afterwards. O(T).
+  /// Leaves out the triangles for which `isHidden` holds. It has one entry for each triangle. An empty vector draws
+  /// all. Tints on the mesh must be set again afterwards. O(T).
   void setHidden(std::vector<char> isHidden);
-  /// The same as another actor of the mesh. O(1) where all its edges are not drawn.
+  /// Leaves out the same triangles as another actor of the mesh. O(1) unless all edges of this one are drawn.
   void setHiddenAs(const MeshActor& other);
 
-  /// How many pixels of the window are one of the picture: widths of lines are in pixels of the picture.
+  /// Sets how many pixels of the window are one of the picture. Widths of lines are in pixels of the picture.
   void setPixelRatio(double ratio);
 
   [[nodiscard]] vtkActor& surface() const { return *surface_; }
   [[nodiscard]] vtkActor& edges() const { return *edges_; }
-  /// The lines of `MeshEdges::All`.
+  /// Returns the actor of the lines of `MeshEdges::All`.
   [[nodiscard]] vtkActor& meshEdges() const { return *meshEdges_; }
 
   [[nodiscard]] const Model& model() const noexcept { return model_; }
 
-  /// The file vertex of each point that is drawn.
+  /// Returns the vertex of the file for each point that is drawn.
   [[nodiscard]] const std::vector<Index>& vertexOf() const noexcept { return shaded_->vertexOf; }
   [[nodiscard]] const std::shared_ptr<const ShadedSurface>& shaded() const noexcept { return shaded_; }
-  /// Whether a triangle of `shaded` is left out.
+  /// Tells whether a triangle of `shaded` is left out.
   [[nodiscard]] bool isHidden(Index triangle) const { return !isHidden_.empty() && isHidden_[triangle] != 0; }
 
-  /// The points and normals that are drawn, for other actors on the mesh.
+  /// Returns the points that are drawn, for other actors on the mesh.
   [[nodiscard]] vtkPoints& points() const { return *points_; }
-  /// In coarse detail they may be older than the points.
+  /// Returns the normals that are drawn. In coarse detail they may be older than the points.
   [[nodiscard]] vtkFloatArray& normals() const { return *normals_; }
-  /// The mesh in coarse detail. Made by the first call, O(T log T); moves with the mesh.
+  /// Returns the mesh in coarse detail, which moves with the mesh. The first call makes it, O(T log T).
   [[nodiscard]] const CoarseSurface& coarse() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Between Holdfast's meshes and VTK's.
+/// These functions turn Holdfast's meshes into VTK's and VTK's into Holdfast's.
 
 #include <algorithm>
 #include <string>
@@ -18,17 +18,20 @@
 
 namespace holdfast {
 
-/// Points of doubles, a copy of `positions`.
+/// Copies `positions` into points of doubles.
 [[nodiscard]] vtkSmartPointer<vtkPoints> toPoints(const Positions& positions);
 
-/// In the place of all that `data` holds: points that are drawn; lines, or polygons, through points of their own.
+/// Replaces all that `data` holds by points that are drawn.
 void setPoints(vtkPolyData& data, const std::vector<Vector3>& places);
+/// Replaces all that `data` holds by lines through points of their own.
 void setLines(vtkPolyData& data, const std::vector<std::vector<Vector3>>& lines);
+/// Replaces all that `data` holds by polygons through points of their own.
 void setPolygons(vtkPolyData& data, const std::vector<std::vector<Vector3>>& polygons);
 
+/// Copies polygons into cells.
 [[nodiscard]] vtkSmartPointer<vtkCellArray> toCells(const Polygons& polygons);
 
-/// The triangles k among `triangles` for which `isIn(k)`, which is called twice for each.
+/// Makes cells of the triangles k among `triangles` for which `isIn(k)` holds. `isIn` is called twice for each.
 template <typename Predicate>
 [[nodiscard]] vtkSmartPointer<vtkCellArray> toCells(const Polygons& triangles, const Predicate& isIn)
 {
@@ -48,21 +51,27 @@ template <typename Predicate>
   return cells;
 }
 
-/// The faces of `mesh` at `positions` (vertexCount x 3): polygons only, no attributes. Faces of fewer than three
-/// corners are left out.
+/// Makes polygons of the faces of `mesh` at `positions` (vertexCount x 3), without attributes. Faces of fewer than
+/// three corners are left out.
+///
+///     const vtkSmartPointer<vtkPolyData> surface = toPolyData(model.mesh, result.positions);
+///     surface->GetPointData()->AddArray(toArray(fieldOf(model, result, FieldKind::Displacement)));
+///     mapper->SetInputData(surface);
 [[nodiscard]] vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const Positions& positions);
 
-/// A copy, called as the field.
+/// Copies a field into an array of the same name.
 [[nodiscard]] vtkSmartPointer<vtkDoubleArray> toArray(const Field& field);
 
+/// Copies the points of `polyData` into positions, one row for each.
 [[nodiscard]] Positions positionsOf(vtkPolyData& polyData);
 
-/// Throws `InputError` about `file` where a cell begins or ends outside the list of corners, or has fewer corners than
-/// its kind needs: VTK would read past its buffers.
+/// Checks the cells of `polyData`, because VTK would read past its buffers where they are wrong. Throws `InputError`
+/// about `file` where a cell begins or ends outside the list of corners. It does the same where a cell has fewer
+/// corners than its kind needs.
 void requireSoundCells(vtkPolyData& polyData, const std::string& file);
 
-/// The faces of `polyData`, whose cells are sound: face f is its f-th polygon, and triangles of strips follow. Throws
-/// `InputError` about `file` where there is neither, and where a corner is no point.
+/// Returns the faces of `polyData`, whose cells are sound (`requireSoundCells`). Face f is its f-th polygon. Triangles
+/// of strips follow. Throws `InputError` about `file` where there is neither, and where a corner is no point.
 [[nodiscard]] Polygons polygonsOf(vtkPolyData& polyData, const std::string& file);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// The vertices inside a polygon drawn on the screen: a rectangle or a lasso.
+/// A user selects vertices inside a polygon drawn on the screen: a rectangle or a lasso.
 
 #include <memory>
 #include <span>
@@ -11,13 +11,14 @@
 namespace holdfast {
 
 /// A polygon on the screen, closed from its last corner to its first. A point is inside where a line from it to far
-/// away crosses the polygon an odd number of times, so that loops of a lasso within one another cut holes.
+/// away crosses the polygon an odd number of times. Loops of a lasso within one another therefore cut holes.
 class ScreenPolygon {
  public:
-  /// Finite corners; fewer than three enclose nothing. O(corners).
+  /// Makes a polygon of `corners`, which are finite. Fewer than three enclose nothing. O(corners).
   explicit ScreenPolygon(std::span<const DisplayPoint> corners);
 
-  /// About O(1) for a lasso of short sides, O(corners) for one that runs up and down.
+  /// Tells whether a point is inside. That takes about O(1) for a lasso of short sides and O(corners) for one that runs
+  /// up and down.
   [[nodiscard]] bool contains(const DisplayPoint& point) const;
 
  private:
@@ -31,26 +32,34 @@ class ScreenPolygon {
   std::vector<std::vector<std::size_t>> bands_;  // equally high, from the bottom: the sides that pass through each
 };
 
+/// The reach says which vertices inside the polygon a selection takes.
 enum class ScreenReach {
-  VisibleOnly,  ///< what the user sees: nothing lies before the vertex
-  Through       ///< what is behind the surface as well, but not what a section cuts away or is not shown
+  VisibleOnly,  ///< those that the user sees: nothing lies before the vertex
+  Through       ///< those behind the surface as well, but not those that a section cuts away or that are not shown
 };
 
-/// The vertices of the file that are shown inside `polygon` in the renderer's part of the window, found a few at a
-/// time. Corners are pixels as a cursor names them, each meaning its center. Without vertices that no face uses, that
-/// are behind the eye, that a section cuts away or whose faces are not shown. O(N) and, for `VisibleOnly`, about O(k
-/// log T) for k vertices inside.
+/// Finds the vertices of the file that are shown inside `polygon` in the renderer's part of the window, a few at a
+/// time. Corners are pixels as a cursor names them. Each means the centre of the pixel.
+///
+/// Vertices that no face uses are left out, and so are those behind the eye. Those that a section cuts away or whose
+/// faces are not shown are left out as well. O(N) and, for `VisibleOnly`, about O(k log T) for k vertices inside.
+///
+///     const std::vector<DisplayPoint> corners{{100, 100}, {400, 100}, {250, 300}};
+///     ScreenSelection selection(*renderer, surface, corners, ScreenReach::VisibleOnly);
+///     while (!selection.isDone()) selection.advance(12000);
+///     scene.setSelection(selection.inside());  // SceneContents
 class ScreenSelection {
  public:
-  /// Sees what `renderer` shows now of `surface`, which is not null.
+  /// Selects from what `renderer` shows now of `surface`, which is not null.
   ScreenSelection(vtkRenderer& renderer, std::shared_ptr<const VisibleSurface> surface,
                   std::span<const DisplayPoint> polygon, ScreenReach reach);
 
-  /// Looks at `count` vertices more, or as many as are left.
+  /// Looks at `count` more vertices, or at as many as are left.
   void advance(Index count);
+  /// Tells whether all vertices have been looked at.
   [[nodiscard]] bool isDone() const { return next_ == surface_->positions().rows(); }
 
-  /// The vertices looked at so far that are inside, ascending.
+  /// Returns the vertices inside among those looked at so far, ascending.
   [[nodiscard]] const std::vector<Index>& inside() const noexcept { return inside_; }
 
  private:

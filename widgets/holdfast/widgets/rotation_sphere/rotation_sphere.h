@@ -1,6 +1,6 @@
 #pragma once
-/// The rotation field on a sphere, Fig. 6 of the paper: a point for each vertex, a ball for each rotation that is
-/// prescribed, great arcs between these. `rotation_projection.h` says where a rotation is.
+/// The rotation field on a sphere, Fig. 6 of the paper. It has a point for each vertex, a ball for each rotation that
+/// is prescribed, and great arcs between the balls. `rotation_projection.h` says where a rotation is.
 
 #include <memory>
 #include <optional>
@@ -22,30 +22,31 @@
 
 namespace holdfast {
 
-/// The colours of a picture beside those of the map.
+/// The colours of a picture beside those of the colour map.
 struct SphereLook {
   Color background{0.97, 0.975, 0.98};
   Color shell{0.90, 0.915, 0.935};
   Color ink{0.13, 0.15, 0.19};
   Color mark{0.93, 0.38, 0.05};
-  double pixelRatio = 1;      ///< pixels of the window for each of the picture: sizes are in the latter
-  bool areTextsDrawn = true;  ///< by VTK; else another painter writes `RotationSphere::texts` over the picture
+  double pixelRatio = 1;      ///< pixels of the window for each pixel of the picture, in which sizes are
+  bool areTextsDrawn = true;  ///< VTK draws them; else another painter writes `RotationSphere::texts` over the picture
 };
 
-/// An angle, an axis, or the name of a constraint.
+/// A text of the picture: an angle, an axis, or the name of a constraint.
 struct SphereText {
   std::string text;
-  DisplayPoint place;   ///< of its middle; of a name of its beginning, at half its height
-  bool isName = false;  ///< these stand out
+  DisplayPoint place;   ///< the middle of the text; for a name its beginning, at half its height
+  bool isName = false;  ///< it is the name of a constraint; names stand out
 };
 
-/// The direction in which the camera looks, of length 1.
+/// Returns the direction in which the camera looks, of length 1.
 [[nodiscard]] inline Vector3 sightOf(vtkCamera& camera)
 {
   return Vector3(camera.GetDirectionOfProjection());
 }
 
-/// Shows all `places`, at least one, from a little beside their middle; the whole sphere where they reach around it.
+/// Makes the camera show all `places`, of which there is at least one, from a little beside their middle. Where they
+/// reach around the sphere, it shows the whole sphere.
 void lookAtPlaces(vtkCamera& camera, const std::vector<Vector3>& places);
 
 /// Shows what is in the picture `factor` times as large, within bounds.
@@ -55,37 +56,43 @@ void zoomSphere(vtkCamera& camera, double factor);
 inline constexpr double kSphereReach = 8;
 
 /// The sphere, and the points of one deformation at a time.
+///
+///     RotationSphere sphere;
+///     sphere.addTo(*renderer);
+///     sphere.show(placeRotations(model, deformation, nullptr));  // `deformation` is the result of `deform`
+///     sphere.fitCamera();
 class RotationSphere {
  public:
   RotationSphere();
   ~RotationSphere();
 
-  /// Once; the renderer is in a window. Sets its background and its camera.
+  /// Adds the sphere to a renderer that is in a window. Call it once. It sets the renderer's background and its camera.
   void addTo(vtkRenderer& renderer);
-  /// That renderer; null before.
+  /// Returns that renderer; null before.
   [[nodiscard]] vtkRenderer* renderer() const { return renderer_; }
   void setLook(const SphereLook& look);
 
-  /// Not null. O(number of points that are drawn).
+  /// Shows the points of `placed`, which is not null. O(number of points that are drawn).
   void show(std::shared_ptr<const PlacedRotations> placed);
-  /// The last one; without any point before the first.
+  /// Returns what was shown last. Before the first `show` it has no points.
   [[nodiscard]] const PlacedRotations& placed() const noexcept { return *placed_; }
-  /// As the mesh is coloured, one value for each vertex of the file; none: one colour.
+  /// Colours the points as the mesh is coloured, by one value for each vertex of the file. Without a colouring they
+  /// have one colour.
   void setColoring(const std::optional<Coloring>& coloring);
-  /// Marks the point of a vertex of the file. None, and vertices that no face uses: no mark.
+  /// Marks the point of a vertex of the file. There is no mark for none, and for a vertex that no face uses.
   void mark(std::optional<Index> vertex);
 
-  /// What is prescribed is seen from the front and fills the picture.
+  /// Makes the camera see what is prescribed from the front, so that it fills the picture.
   void fitCamera() const;
 
-  /// The vertex of the file whose point is nearest to a pixel of the window, within `kSphereReach`; on the far side
-  /// only where there is none on the near side. O(N).
+  /// Returns the vertex of the file whose point is nearest to a pixel of the window, within `kSphereReach`. It returns
+  /// one on the far side only where there is none on the near side. O(N).
   [[nodiscard]] std::optional<Index> pick(double displayX, double displayY) const;
 
-  /// Those that have room in the picture that was drawn last.
+  /// Returns the texts that have room in the picture that was drawn last.
   [[nodiscard]] std::vector<SphereText> texts() const;
 
-  /// The actor of the points; its mapper colours them.
+  /// Returns the actor of the points. Its mapper colours them.
   [[nodiscard]] vtkActor& points() const { return *points_; }
 
  private:

@@ -1,12 +1,13 @@
 #pragma once
-/// A render window of VTK that draws with an OpenGL context of another toolkit.
+/// This render window of VTK draws with an OpenGL context of another toolkit.
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
 namespace holdfast {
 
-/// VTK 9.1 to 9.3 find OpenGL by a library that asks for an X server as well, print that there is none, and do not set
-/// up their window. The functions of OpenGL are there all the same: on Wayland this window goes on with them.
+/// A window that goes on where VTK's own stops. VTK 9.1 to 9.3 find OpenGL by a library that asks for an X server as
+/// well. Where there is none, they print so and do not set up their window. The functions of OpenGL are there all the
+/// same. On Wayland this window goes on with them.
 class ContextWindow : public vtkGenericOpenGLRenderWindow {
  public:
   static ContextWindow* New();

@@ -1,18 +1,19 @@
 #pragma once
-/// A small document with something of everything that a picture can show.
+/// This small document has something of everything that a picture can show.
 
 #include <holdfast/deform/deform.h>
 
 namespace holdfast {
 
-/// A sheet that is pinned, pulled and rotated, with constraints that repeat, that conflict, and one that is disabled.
+/// A sheet that is pinned, pulled and rotated. Some of its constraints repeat others, some conflict, and one is
+/// disabled.
 struct ExampleDocument {
   Model model;
   ConstraintList list;
   DeformResult deformation;
 };
 
-/// A few milliseconds.
+/// Makes the document. It takes a few milliseconds.
 [[nodiscard]] ExampleDocument exampleDocument();
 
 }  // namespace holdfast

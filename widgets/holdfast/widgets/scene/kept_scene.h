@@ -1,5 +1,5 @@
 #pragma once
-/// Drawing layers above a scene again without the scene, and smoothing the scene's edges.
+/// A kept scene has smooth edges, and layers above it are drawn again without it.
 
 #include <array>
 
@@ -12,31 +12,37 @@ class vtkRenderer;
 
 namespace holdfast {
 
-/// Keeps colours and depths of a scene each time that it is drawn, so that layers above it can be drawn again onto it.
-/// The kept colours are smoothed once, by VTK's FXAA (T. Lottes, FXAA, NVIDIA 2009), when they are first used: the
-/// picture at rest does not depend on whether the scene was drawn at once or in slices.
+/// Keeps colours and depths of a scene each time that it is drawn. Layers above it can then be drawn again onto it.
+/// VTK's FXAA (T. Lottes, FXAA, NVIDIA 2009) smooths the kept colours once, when they are first used. The picture at
+/// rest does not depend on whether the scene was drawn at once or in slices.
+///
+///     KeptScene kept(*renderer, *renderer);  // the widgets are in a renderer of a layer above
+///     window->Render();
+///     const auto drawAgain = [&] { kept.isCurrent() ? kept.drawLayersAbove() : window->Render(); };
 class KeptScene {
  public:
-  /// The layers from that of `scene`, which fills the window, to that of `last`, which may be the same one; no other
-  /// renderer is in the layer of `last`. Both are in a window without multisampling, which stays alive as long as this.
+  /// Keeps the layers from that of `scene` to that of `last`, which may be the same renderer. `scene` fills the window.
+  /// No other renderer is in the layer of `last`. Both are in a window without multisampling. The window must stay
+  /// alive as long as the kept scene.
   KeptScene(vtkRenderer& scene, vtkRenderer& last);
   ~KeptScene();
 
-  /// Whether scenes that are drawn from now on are kept; they are by default. A copy waits for what is being drawn,
-  /// which is lost time where one scene follows another.
+  /// Sets whether scenes that are drawn from now on are kept. They are by default. A copy waits for what is being
+  /// drawn. Where one scene follows another, that time is lost.
   void setKeeping(bool isKeeping) { isKeeping_ = isKeeping; }
 
-  /// Whether the scene that was drawn last is kept, and not outdated.
+  /// Tells whether the scene that was drawn last is kept and not outdated. It is outdated when the camera has moved or
+  /// the window has another size.
   [[nodiscard]] bool isCurrent() const { return isKept_ && !isOutdated(); }
 
-  /// Whether the scene is kept as it was drawn: the first `drawLayersAbove` smooths it.
+  /// Tells whether the scene is kept as it was drawn. The first `drawLayersAbove` smooths it.
   [[nodiscard]] bool isRough() const { return isCurrent() && isRough_; }
 
-  /// Draws the layers above onto the kept scene with smooth edges, and shows the picture. The scene is current.
+  /// Draws the layers above onto the kept scene with smooth edges, and shows the picture. The scene must be current.
   void drawLayersAbove();
 
  private:
-  /// Whether the camera has moved or the window got another size since the scene was drawn, or none was.
+  /// Tells whether the camera has moved or the window got another size since the scene was drawn, or none was.
   [[nodiscard]] bool isOutdated() const;
   void noteScene();
   void putBack();
@@ -49,8 +55,8 @@ class KeptScene {
   vtkNew<vtkOpenGLFramebufferObject> kept_;
   vtkNew<vtkOpenGLFXAAFilter> fxaa_;
   unsigned long observer_ = 0;
-  unsigned long cameraTime_ = 0;  // of the camera that the last scene was drawn with
-  std::array<int, 2> size_{};     // of that picture
+  unsigned long cameraTime_ = 0;  // the time of the camera with which the last scene was drawn
+  std::array<int, 2> size_{};     // the size of that picture
   bool isKeeping_ = true;
   bool isKept_ = false;
   bool isRough_ = false;  // what is kept is not smoothed

@@ -1,14 +1,14 @@
 #pragma once
-/// The light and the background in which meshes are shown.
+/// Meshes are shown in this light and before this background.
 
 class vtkRenderer;
 
 namespace holdfast {
 
-/// A key light from above, a fill light and a head light; they move with the camera.
+/// Adds a key light from above, a fill light and a head light. They move with the camera.
 void addLights(vtkRenderer& renderer);
 
-/// White below, light grey above.
+/// Makes the background white below and light grey above.
 void addBackground(vtkRenderer& renderer);
 
 }  // namespace holdfast

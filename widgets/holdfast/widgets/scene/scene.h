@@ -1,5 +1,6 @@
 #pragma once
-/// A deformed mesh with all that explains it, drawn without a window; its picture as pixels and as a PNG file.
+/// A scene draws a deformed mesh with all that explains it, without a window. Its picture becomes pixels and a PNG
+/// file.
 
 #include <optional>
 #include <string>
@@ -16,59 +17,72 @@ namespace holdfast {
 
 struct LegendContents;
 
+/// The size of a picture, in pixels.
 struct PictureSize {
   int width = 1280;
   int height = 960;
 };
 
-/// Both sides of a picture, in pixels.
+/// The least and the largest side of a picture, in pixels.
 inline constexpr int kLeastPictureSide = 16;
 inline constexpr int kLargestPictureSide = 16384;
-/// 8192 x 8192 or as many otherwise. Drawing so many takes 2.5 GiB of memory.
+/// A picture has no more pixels than this: 8192 x 8192, or as many with other sides. Drawing so many takes 2.5 GiB of
+/// memory.
 inline constexpr int kMostPicturePixels = 8192 * 8192;
 
-/// Whether a picture of sides that are allowed has too many pixels.
+/// Tells whether a picture of sides that are allowed has too many pixels.
 [[nodiscard]] constexpr bool hasTooManyPixels(const PictureSize& size)
 {
   return size.width > kMostPicturePixels / size.height;
 }
 
+/// This option says whether a picture has a legend.
 enum class Legend {
-  Shown,  ///< where the picture is at least `kLeastLegendWidth` x `kLeastLegendHeight`
+  Shown,  ///< the legend is in pictures of at least `kLeastLegendWidth` x `kLeastLegendHeight`
   Hidden
 };
 
+/// A picture of fewer pixels along either side has no legend.
 inline constexpr int kLeastLegendWidth = 240;
 inline constexpr int kLeastLegendHeight = 200;
 
+/// The options say what a scene shows and how large its picture is.
 struct SceneOptions {
   PictureSize size;
   ColorBy colorBy = ColorBy::Displacement;
   Legend legend = Legend::Shown;
   std::string units;  ///< the user's name of the model's length; may be empty
-  /// In the place of what `colorBy` would make: colours over a range or of a map that a user has chosen.
+  /// These colours replace those that `colorBy` would make. They may be over a range or of a map that a user has
+  /// chosen.
   std::optional<Coloring> coloring = std::nullopt;
-  /// In the place of VTK's own window, which needs an X server with OpenGL: see `whyNoPictures`. Null: that one.
+  /// This window replaces VTK's own, which needs an X server with OpenGL (`whyNoPictures`). Null means VTK's own.
   vtkSmartPointer<vtkRenderWindow> window = nullptr;
 };
 
-/// The deformed surface with its sharp edges, those of the rest shape in faint lines, the constraints, the legend; in a
-/// window that is never shown. Drawn by `draw`.
+/// A deformed surface in a window that is never shown. The scene has its sharp edges, those of the rest shape in faint
+/// lines, the constraints and the legend. `draw` draws it.
+///
+///     SceneOptions options;
+///     options.colorBy = ColorBy::ConstraintResidual;
+///     options.units = "mm";
+///     const Scene scene(model, result, options);
+///     const std::string png = toPng(draw(scene, "part.png"), "part.png");
+///     std::ofstream("part.png", std::ios::binary) << png;
 class Scene {
  public:
   Scene(const Model& model, const DeformResult& deformation, const SceneOptions& options);
 
   [[nodiscard]] vtkRenderWindow& window() const { return *window_; }
-  /// Its camera can be moved.
+  /// Returns the renderer of the mesh. Its camera can be moved.
   [[nodiscard]] vtkRenderer& meshRenderer() const { return *meshRenderer_; }
   [[nodiscard]] SceneContents& contents() { return contents_; }
   [[nodiscard]] MeshActor& mesh() { return contents_.mesh(); }
 
-  /// One colour in the place of the usual background.
+  /// Draws one colour in place of the usual background.
   void setBackdrop(const Color& color);
 
   [[nodiscard]] PictureSize size() const noexcept { return size_; }
-  /// The window has this many pixels for each of the picture, along both sides; `draw` takes the mean.
+  /// Returns how many pixels of the window make one of the picture, along both sides. `draw` takes their mean.
   [[nodiscard]] int pixelRatio() const noexcept { return pixelRatio_; }
 
  private:
@@ -83,17 +97,19 @@ class Scene {
   vtkNew<vtkRenderer> meshRenderer_;
 };
 
-/// RGB, a byte a channel, rows from the bottom.
+/// A picture as pixels: RGB, one byte for each channel, rows from the bottom.
 struct Picture {
   PictureSize size;
-  std::vector<unsigned char> pixels;  ///< 3 width height
+  std::vector<unsigned char> pixels;  ///< 3 width height bytes
 };
 
-/// Draws `scene`; `name` names the picture in messages. The same pixels on every run. Throws `OutputError` where the
-/// picture has more than `kMostPicturePixels`, and where OpenGL cannot hold one of this size, or fails.
+/// Draws `scene`. Messages call the picture `name`. Every run gives the same pixels. Throws `OutputError` where the
+/// picture has more than `kMostPicturePixels`. It also throws where OpenGL cannot hold a picture of this size, or
+/// fails.
 [[nodiscard]] Picture draw(const Scene& scene, const std::string& name);
 
-/// The picture as the contents of a PNG file. The same bytes on every run. Throws `OutputError` where VTK fails.
+/// Returns the picture as the contents of a PNG file. Every run gives the same bytes. Throws `OutputError` where VTK
+/// fails.
 [[nodiscard]] std::string toPng(const Picture& picture, const std::string& name);
 
 }  // namespace holdfast
