@@ -109,8 +109,8 @@ struct PointConstraint {
   return std::visit([&](const auto& to) { return to.shiftFrom(rest); }, point.to);
 }
 
-/// The selected vertices move as one body, equations (28) and (29). The vectors between them rotate with it and keep
-/// their lengths; the rotations of all of them are equal.
+/// The selected vertices move as one body. The vectors between them are kept but for its rotation, and the rotations of
+/// all of them are equal, equations (28) and (29).
 struct RigidConstraint {
   static constexpr const char* kType = "rigid";
   Selection select;

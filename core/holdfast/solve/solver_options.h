@@ -21,8 +21,8 @@ enum class Backend {
 
 /// A solver meets the constraints in one of these ways.
 enum class SolverKind {
-  Hard,     ///< it eliminates the constraints and meets them exactly, (11) to (21)
-  Soft,     ///< for comparison: it takes the constraints as weighted rows, (7) and (8)
+  Hard,     ///< constraints eliminated, (11) to (21): it meets them exactly
+  Soft,     ///< soft constraints as weighted rows, (7) and (8): for comparison
   Lagrange  ///< for comparison: it meets the constraints by Lagrange multipliers, end of section 3.2
 };
 

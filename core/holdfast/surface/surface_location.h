@@ -16,8 +16,7 @@ struct AtVertex {
   friend bool operator==(const AtVertex&, const AtVertex&) = default;
 };
 
-/// A point of the segment between two vertices that an edge joins. It is t p_i + (1 - t) p_j with t in [0, 1], equation
-/// (5).
+/// A point of an edge between two vertices: t p_i + (1 - t) p_j with t in [0, 1], equation (5).
 struct AtEdge {
   Index i = 0;
   Index j = 0;
