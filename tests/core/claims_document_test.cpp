@@ -109,7 +109,7 @@ TEST(ClaimsDocument, SpeaksOfEveryPageThatPromises)
   for (const auto& entry : std::filesystem::directory_iterator(test::sourceFolder() + "/docs"))
     if (entry.path().extension() == ".md") expected.insert("docs/" + entry.path().filename().string());
   expected.erase("docs/claims.md");
-  expected.erase("docs/README.md");  // a list of pages
+  expected.erase("docs/README.md");       // a list of pages
   expected.erase("docs/performance.md");  // measurements
   EXPECT_EQ(pages, expected);
 }
