@@ -67,8 +67,8 @@ class StepThread {
   std::shared_ptr<StepState> state_;
 };
 
-/// One result that takes long. The work begins when somebody asks for the result, or before. It holds all that it
-/// needs, because it may outlive this.
+/// A `LongStep` holds one result that takes long. The work begins when somebody asks for the result, or before. The
+/// work holds all that it needs, because it may outlive the step.
 template <class Result>
 class LongStep {
  public:

@@ -1,6 +1,6 @@
 #pragma once
-/// What messages are made of. These are numbers of things, and text from outside (names, paths, options, messages of
-/// libraries) as users see it.
+/// Messages are made of these: numbers of things, and text from outside (names, paths, options, messages of libraries)
+/// as users see it.
 
 #include <string>
 #include <string_view>

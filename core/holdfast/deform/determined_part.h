@@ -14,9 +14,9 @@ struct DeterminedPart {
   Index row = -1;       ///< place in the system; none where the accuracy is 0
 };
 
-/// Estimates the error of the part of `u` (n x 3) that rows determine. Rows that nearly depend on one another multiply
-/// the rounding of what they ask for and of what their unknowns move by. Each multiplies it by its sensitivity
-/// (`Elimination::sensitivities`, 0 for rows that are left out).
+/// Estimates the error of the part of `u` (n x 3) that rows determine. A row multiplies the rounding of its target, and
+/// of the displacements of its unknowns, by its sensitivity (`Elimination::sensitivities`, 0 for rows that are left
+/// out). Rows that nearly depend on one another have large ones.
 ///
 /// Where this bound exceeds 1e-12 the error is measured. `solver` takes off what is left of the rows at `u`, and the
 /// size of that step counts. `reconciled` is that of the diagnosis. Targets are taken as they are stated. O(terms), and

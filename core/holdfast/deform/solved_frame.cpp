@@ -160,8 +160,9 @@ class FrameSolver {
             std::make_shared<const Columns3>(std::move(shape.wanted))};
   }
 
-  /// Whether it is a solution at all, and how accurate: what constraints determine, and what they leave free. Returns
-  /// why it is none, or nothing; warns of what is doubtful. Other solvers than `Hard` do not tell the parts apart.
+  /// Measures how accurate the displacement is, in the part that constraints determine and in the part that they leave
+  /// free. Only `Hard` tells these apart. Returns why the displacement is no solution, or nothing. Warns of a doubtful
+  /// one.
   std::string judgeDisplacement(const ConstrainedSolver& solver, const Displacement& displacement)
   {
     if (by_.isBordered && displacement.accuracy > kBorderedAccuracy) return "the border leaves too few digits";
@@ -236,7 +237,7 @@ class FrameSolver {
             isMissed(*details_, dependency.row) ? RowStatus::Conflicting : RowStatus::Redundant;
   }
 
-  /// The result is the shape at rest. Nothing is said of residuals: they would be those of what was discarded.
+  /// Makes the shape at rest the result. The report names no residuals then, because the solution is discarded.
   void refuse(const std::string& message)
   {
     report().status = SolveStatus::Failed;
