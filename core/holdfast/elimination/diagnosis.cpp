@@ -46,9 +46,6 @@ std::vector<bool> unplacedUnknowns(const std::vector<RowTerms>& rows, const Solv
   return isHeld;
 }
 
-// Redundant rows with a smaller share of their limit missing are met without being reconciled.
-constexpr double kToldShare = 0.01;
-
 constexpr double kShare = kPromisedSpacings * std::numeric_limits<double>::epsilon();
 
 double largestCoordinate(const Vector3& place)
@@ -114,6 +111,23 @@ Columns3 shiftsOf(const ConstraintSystem& system, const std::vector<Index>& rows
   Columns3 shifts(static_cast<Index>(rows.size()), 3);
   parallelBlocks(shifts.rows(), [&](Index k) { shifts.row(k) = system.rows[rows[k]].shift; });
   return shifts;
+}
+
+/// Those of `agreeing` that circuits join to one that is `missed`. What is changed to meet the one moves the others, by
+/// as much as their coefficients are large: all are met together, or some would be missed in turn.
+std::vector<Index> joinedToMissed(const std::vector<Index>& missed, const std::vector<const Dependency*>& agreeing,
+                                  const std::vector<RowTerms>& rows)
+{
+  DisjointSets joined(static_cast<Index>(rows.size()));
+  for (const Dependency* dependency : agreeing)
+    for (const Term& term : dependency->terms)
+      if (rows[term.index].size() > 1) joined.unite(dependency->row, term.index);
+  std::vector<bool> isMissed(rows.size(), false);
+  for (const Index row : missed) isMissed[joined.find(row)] = true;
+  std::vector<Index> result;
+  for (const Dependency* dependency : agreeing)
+    if (isMissed[joined.find(dependency->row)]) result.push_back(dependency->row);
+  return result;
 }
 
 /// How far the smallest change of targets that closes a gap is below the gap: |(1, -a)| of b_j = sum a_k b_k, over the
@@ -201,16 +215,17 @@ Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSyst
   }
   diagnosis.limits = diagnosis.isNearOrigin ? std::vector<double>(system.rows.size(), kPromisedResidual * mesh.diagonal)
                                             : residualLimits(mesh, system, diagnosis.dependent, diagnosis.particular);
-  bool isMissed = false;
+  std::vector<const Dependency*> agreeing;
+  std::vector<Index> missed;
   for (const auto& [dependency, gap] : diagnosis.dependent) {
     const double limit = kConsistentShare * diagnosis.limits[dependency.row];
     const bool agrees = gap.stableNorm() <= limit * gapPerChange(eliminated, dependency);
     const bool mayAgree = agrees || gap.stableNorm() <= undecidedGap(dependency, system);
     diagnosis.status[dependency.row] = mayAgree ? RowStatus::Redundant : RowStatus::Conflicting;
-    if (agrees && gap.stableNorm() > kToldShare * limit) diagnosis.reconciled.push_back(dependency.row);
-    isMissed = isMissed || (agrees && gap.stableNorm() > limit);
+    if (agrees) agreeing.push_back(&dependency);
+    if (agrees && gap.stableNorm() > limit) missed.push_back(dependency.row);
   }
-  if (!isMissed) diagnosis.reconciled.clear();
+  if (!missed.empty()) diagnosis.reconciled = joinedToMissed(missed, agreeing, eliminated.rows);
   return diagnosis;
 }
 

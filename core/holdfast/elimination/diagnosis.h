@@ -28,8 +28,8 @@ struct Diagnosis {
   std::vector<DependentRow> dependent;  ///< ascending by row
   std::vector<double> limits;  ///< of each row: the largest residual with which it is met, see `residualLimits`
   bool isNearOrigin = false;   ///< then each limit is the promised residual, whatever the displacement
-  /// The redundant rows that the independent ones alone miss by more than rounding, see `reconciledParticular`. They
-  /// are listed only where some of them would be missed by more than their limits.
+  /// The redundant rows that the independent ones alone would miss, and those that share circuits with them, see
+  /// `reconciledParticular`.
   std::vector<Index> reconciled;
   /// For each conflicting row whose gap depends on rotations: the rows that it contradicts. Filled where rotations were
   /// found.

@@ -17,7 +17,7 @@ inline constexpr std::size_t kMostSequentialRows = 512;
 inline constexpr double kWaitingDistance = 1e-10;
 
 /// In a large component rows wait that are closer than this. Rows that are as close at the end are left out.
-inline constexpr double kCrowdedDistance = 1e-8;
+inline constexpr double kCrowdedDistance = 1e-9;
 
 /// Does what `findDependencies` does, for one component. It goes through the rows in their order. Where rows are more
 /// than the unknowns that they name, some depend whatever their coefficients are (`matchedRows`). Rows on the same

@@ -13,6 +13,11 @@ namespace {
 
 constexpr int kDistanceProbes = 16;
 
+// Distances by probes are off by less than this factor. So many of those that may be on the other side of the tolerance
+// are measured: which rows go is then the same whatever the order of the QR.
+constexpr double kProbeFactor = 2;
+constexpr std::size_t kMostMeasured = 64;
+
 // A pivot below rounding, the square of which is still a double.
 constexpr double kLeastPivot = 1e-20;
 
@@ -40,19 +45,43 @@ SparseMatrix withPivots(const SparseQrResult& qr)
   return result;
 }
 
+/// Columns k of R with an estimate so near to the tolerance that it may be on its other side. Of many, the nearest.
+std::vector<Index> doubtfulOnes(const Eigen::VectorXd& estimates, double tolerance)
+{
+  const auto factor = [&](Index k) { return std::max(estimates[k] / tolerance, tolerance / estimates[k]); };
+  std::vector<Index> result;
+  for (Index k = 0; k < estimates.size(); ++k)
+    if (factor(k) < kProbeFactor) result.push_back(k);
+  std::ranges::sort(result, {}, factor);
+  result.resize(std::min(result.size(), kMostMeasured));
+  return result;
+}
+
 /// For each column of `block` (of length 1), how far it is from the span of all others: the inverse length of its row
-/// of R^-1. Estimated to some twenty per cent by what R^-1 makes of vectors of random signs.
-std::vector<double> distancesFromOthers(const SparseMatrix& block)
+/// of R^-1. Estimated to some twenty per cent by what R^-1 makes of vectors of random signs, and measured where that
+/// leaves open on which side of `tolerance` it is.
+std::vector<double> distancesFromOthers(const SparseMatrix& block, double tolerance)
 {
   constexpr double kAcceptAll = -1;
   const SparseQrResult qr = sparseQr(block, kAcceptAll, WantQ::No);
+  const SparseMatrix R = withPivots(qr);
   Eigen::MatrixXd probes(block.cols(), kDistanceProbes);
   std::minstd_rand random(1);
   for (double& entry : probes.reshaped()) entry = (random() >> 16) % 2 == 0 ? 1 : -1;
-  withPivots(qr).triangularView<Eigen::Upper>().solveInPlace(probes);
-  std::vector<double> result(static_cast<std::size_t>(block.cols()));
+  R.triangularView<Eigen::Upper>().solveInPlace(probes);
+  Eigen::VectorXd distances(block.cols());
   for (Index k = 0; k < block.cols(); ++k)
-    result[qr.columns[k]] = std::sqrt(static_cast<double>(kDistanceProbes)) / probes.row(k).stableNorm();
+    distances[k] = std::sqrt(static_cast<double>(kDistanceProbes)) / probes.row(k).stableNorm();
+
+  const std::vector<Index> doubtful = doubtfulOnes(distances, tolerance);
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(block.cols(), static_cast<Index>(doubtful.size()));
+  for (std::size_t m = 0; m < doubtful.size(); ++m) rows(doubtful[m], static_cast<Index>(m)) = 1;
+  R.transpose().triangularView<Eigen::Lower>().solveInPlace(rows);
+  for (std::size_t m = 0; m < doubtful.size(); ++m)
+    distances[doubtful[m]] = 1 / rows.col(static_cast<Index>(m)).stableNorm();
+
+  std::vector<double> result(static_cast<std::size_t>(block.cols()));
+  for (Index k = 0; k < block.cols(); ++k) result[qr.columns[k]] = distances[k];
   return result;
 }
 
@@ -122,7 +151,7 @@ NearRows nearlyDependentRows(const std::vector<RowTerms>& rows, const std::vecto
 {
   SparseMatrix block = transposedBlock(rows, {basis, unknowns});
   (void)normalizeColumns(block);
-  const std::vector<Cluster> clusters = clustersOf(rows, basis, distancesFromOthers(block), tolerance);
+  const std::vector<Cluster> clusters = clustersOf(rows, basis, distancesFromOthers(block, tolerance), tolerance);
   std::vector<std::vector<Index>> found(clusters.size());
   parallelFor(static_cast<Index>(clusters.size()), [&](Index k) { found[k] = lastOf(clusters[k], rows, tolerance); });
   NearRows result{{}, std::ranges::any_of(clusters, isLarge)};

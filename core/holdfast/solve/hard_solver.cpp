@@ -97,8 +97,10 @@ class HardSolver final : public ConstrainedSolver {
   [[nodiscard]] double mostMissed(const Columns3& u, const RowTargets& targets) const
   {
     const Columns3 missed = missedBy(u, targets);
+    std::vector<Index> held = independentRows(problem_.eliminated->dependencies, problem_.eliminated->rows.size());
+    held.insert(held.end(), targets.reconciled.begin(), targets.reconciled.end());
     double most = 0;
-    for (const Index row : independentRows(problem_.eliminated->dependencies, problem_.eliminated->rows.size()))
+    for (const Index row : held)
       most = std::max(most, missed.row(row).cwiseAbs().maxCoeff());
     return most;
   }

@@ -215,7 +215,7 @@ TEST(LargeComponents, AgreeingPointsAreMetHoweverFarTheirCircuitsLead)
                                                  {Weights::Cotangent, {SolverKind::Hard, backend, 5}});
       EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
       EXPECT_EQ(countOf(result, ConstraintStatus::Conflicting), 0U);
-      EXPECT_LE(result.report.solve.maxResidualRelative, 1e-14);
+      EXPECT_LE(result.report.solve.maxResidualRelative, 1e-15);
     }
 }
 

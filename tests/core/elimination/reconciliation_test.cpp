@@ -10,6 +10,7 @@ namespace holdfast {
 namespace {
 
 struct EliminatedList {
+  SolverMesh mesh;
   ConstraintSystem system;
   EliminatedConstraints eliminated;
 };
@@ -17,10 +18,10 @@ struct EliminatedList {
 EliminatedList eliminatedList(const Mesh& mesh, const ConstraintList& list)
 {
   const Triangulation triangulation = triangulate(mesh);
-  const SolverMesh solverMesh = makeSolverMesh(mesh, triangulation);
+  SolverMesh solverMesh = makeSolverMesh(mesh, triangulation);
   ConstraintSystem system = makeConstraintSystem(list, mesh, solverMesh, SurfaceLocator(mesh, triangulation), "list");
   EliminatedConstraints eliminated = eliminate(system, solverMesh);
-  return {std::move(system), std::move(eliminated)};
+  return {std::move(solverMesh), std::move(system), std::move(eliminated)};
 }
 
 /// Four points of one face, `apart` of each other, and a fifth at its first corner; another vertex held.
@@ -103,6 +104,27 @@ TEST(Reconciliation, JoinsBlocksThatARedundantRowHangsOn)
   const Columns3 u = reconciledParticular(problem.eliminated, {problem.eliminated.dependencies.front().row}, d);
   EXPECT_LT(largestMiss(problem, u, d), 0.9e-9) << "shared between the four";
   EXPECT_GT(largestMiss(problem, u, d), 1e-10) << "it cannot vanish";
+}
+
+TEST(Reconciliation, IsOfAllRowsThatShareCircuitsWithAMissedOne)
+{
+  // Five points of one face, where three are independent. The fourth asks for 3 times as much as it may miss, which
+  // small changes of the three close: they would carry the fifth away. A face far off has such points that agree.
+  ConstraintList list = test::listOf({test::hold({4})});
+  for (const Index face : {0, 20})
+    for (const double k : {0.0, 1.0, 2.0, 4.0, 5.0})
+      list.constraints.push_back(
+          test::moveBy(AtFace{face, {0.4 + k * 1e-2, 0.3 - k * k * 1e-2, 0.3 + (k * k - k) * 1e-2}}, Vector3::Zero()));
+  const Mesh mesh = test::grid(4, 4);
+  const auto rowsAsking = [&](double share) {
+    const double limit = kConsistentShare * kPromisedResidual * makeSolverMesh(mesh, triangulate(mesh)).diagonal;
+    std::get<Move>(std::get<PointConstraint>(list.constraints[4].what).to).shift.x() = share * limit;
+    const EliminatedList problem = eliminatedList(mesh, list);
+    KnownGaps known;
+    return diagnose(problem.eliminated, problem.system, problem.mesh, known).reconciled;
+  };
+  EXPECT_EQ(rowsAsking(3), (std::vector<Index>{4, 5}));
+  EXPECT_EQ(rowsAsking(0.9), std::vector<Index>()) << "met as it is";
 }
 
 }  // namespace
