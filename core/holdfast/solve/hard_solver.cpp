@@ -100,8 +100,7 @@ class HardSolver final : public ConstrainedSolver {
     std::vector<Index> held = independentRows(problem_.eliminated->dependencies, problem_.eliminated->rows.size());
     held.insert(held.end(), targets.reconciled.begin(), targets.reconciled.end());
     double most = 0;
-    for (const Index row : held)
-      most = std::max(most, missed.row(row).cwiseAbs().maxCoeff());
+    for (const Index row : held) most = std::max(most, missed.row(row).cwiseAbs().maxCoeff());
     return most;
   }
 
