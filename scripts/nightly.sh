@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # What takes too long for every change, once a night: the tests of label `nightly` (meshes that are no part of the project,
-# the tour of the window, the core alone with all its tests), what other versions of VTK, Qt and Mesa may do differently on
-# both Debians, each source compiled alone, the window and the workers under sanitizers, the batch program under valgrind,
-# and the benchmarks. Installs what is missing first (apt). Goes on after a failure, says at the end which parts failed and
-# how long each took, and ends with 1 if any did. docs/testing.md says more.
-#   scripts/nightly.sh [PART...]      PART: tests, bookworm, trixie, sources, window, threads, threads-window, valgrind,
-#                                     benchmarks; all if left out
+# the tour of the window, the core alone with all its tests), the experiments of docs/paper.md, what other versions of
+# VTK, Qt and Mesa may do differently on both Debians, each source compiled alone and read by clang-tidy, the window and
+# the workers under sanitizers, the batch program under valgrind, and the benchmarks. Installs what is missing first
+# (apt). Goes on after a failure, says at the end which parts failed and how long each took, and ends with 1 if any did.
+# docs/testing.md says more.
+#   scripts/nightly.sh [PART...]      PART: tests, paper, bookworm, trixie, sources, lint, window, threads,
+#                                     threads-window, valgrind, benchmarks; all if left out
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . scripts/lib/packages.sh
@@ -13,12 +14,24 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . scripts/lib/bare_system.sh
 
 run_tests() { scripts/test.sh --label-regex nightly; }
+# Experiments of docs/paper.md that take seconds, and all benchmarks on small meshes, so that they do not rot.
+run_paper() {
+  install_packages "${holdfast_packages[@]}"
+  configure_preset release -DHOLDFAST_BUILD_GUI=ON -DHOLDFAST_WITH_CHOLMOD=ON -DHOLDFAST_BUILD_TESTS=ON -DHOLDFAST_BUILD_BENCH=ON
+  build_preset release
+  ctest --preset release --tests-regex '^paper/|benchmarks$'
+}
 run_bookworm() { in_bare_system bookworm scripts/test.sh --tests-regex "$by_version"; }
 run_trixie() { in_bare_system trixie scripts/test.sh --tests-regex "$by_version"; }
 run_sources() {
   install_packages "${holdfast_packages[@]}"
   configure_preset debug -DHOLDFAST_BUILD_GUI=ON -DHOLDFAST_WITH_CHOLMOD=ON -DHOLDFAST_BUILD_TESTS=ON -DHOLDFAST_BUILD_BENCH=ON
   build_preset debug
+}
+# After `sources`, which makes the sources that Qt generates. 77: the tools are of another version.
+run_lint() {
+  install_packages clang-format clang-tidy
+  scripts/lint.sh || [ $? -eq 77 ]
 }
 run_window() { scripts/sanitize.sh --window; }
 run_threads() { scripts/sanitize.sh --threads; }
@@ -43,7 +56,7 @@ run_valgrind() {
 by_version='^widgets/FilteredGrid|^render/|^window/PictureOfBar|^window/DocumentExports'
 
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(tests bookworm trixie sources window threads threads-window valgrind benchmarks)
+[ ${#parts[@]} -gt 0 ] || parts=(tests paper bookworm trixie sources lint window threads threads-window valgrind benchmarks)
 failed=0
 summary=()
 for part in "${parts[@]}"; do

@@ -126,7 +126,7 @@ DeformOptions chosenOptions(const Command& command, const StatedOptions& ofSessi
   return options;
 }
 
-/// Writes everything aside. Residuals become those of the written mesh where its positions are rounded to floats.
+/// Writes everything aside. Residuals become those of the written mesh where its format rounds positions.
 Outputs writeAll(const Command& command, const MeshDocument& document, const std::string& units, const Model& model,
                  DeformResult& deformation, Progress& progress)
 {
@@ -136,9 +136,10 @@ Outputs writeAll(const Command& command, const MeshDocument& document, const std
   if (isSolved && !command.out.empty()) {
     progress.step("writing the mesh");
     const Serialized contents = serializeMeshFile(document, deformation.positions, command.out);
-    if (contents.isSinglePrecision && setRoundedResiduals(deformation.report, deformation, model.solverMesh.weld))
-      solve.message +=
-          fmt::format("; the file holds single precision and misses them by up to {:.3g}", solve.maxResidual);
+    const bool isMissed =
+        contents.stored && setStoredResiduals(deformation.report, deformation, *contents.stored, model.solverMesh.weld);
+    if (isMissed)
+      solve.message += fmt::format("; the file rounds coordinates and misses them by up to {:.3g}", solve.maxResidual);
     addNoted(outputs, command.out, contents);
   }
   if (isSolved && !command.fields.empty()) {

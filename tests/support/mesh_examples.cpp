@@ -127,7 +127,7 @@ ENDSOLID
 std::string spelled(double value, Spelling spelling)
 {
   std::array<char, 64> text{};
-  if (spelling == Spelling::kAsWritten)
+  if (spelling == Spelling::AsWritten)
     return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
   return {text.data(), static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%+.4f", value))};
 }
@@ -141,7 +141,7 @@ std::string filled(const std::string& pattern, const Positions& positions, Spell
       text += spelled(positions(next / 3, next % 3), spelling);
       ++next;
     } else if (c == '#' && pattern.starts_with("ply")) {
-      text += spelling == Spelling::kAsRead ? "float" : "double";
+      text += spelling == Spelling::AsRead ? "float" : "double";
     } else {
       text += c;
     }
@@ -169,7 +169,7 @@ std::string raw(Number value, Order order)
 /// Like the text example, of another order of elements, and with both kinds of numbers beside the coordinates.
 std::string binaryPly(const Positions& positions, Spelling spelling, Order order, const std::string& restType)
 {
-  const std::string type = spelling == Spelling::kAsRead ? restType : "double";
+  const std::string type = spelling == Spelling::AsRead ? restType : "double";
   std::string bytes = std::string("ply\nformat binary_") + (order == Order::kLittle ? "little" : "big") +
                       "_endian 1.0\ncomment kept as it is\nelement face 2\nproperty list int ushort vertex_index\n"
                       "property double area\nelement vertex 5\nproperty short tag\nproperty " +
@@ -198,7 +198,7 @@ std::string binaryPly(const Positions& positions, Spelling spelling, Order order
 /// As Stanford writes its scans: all strips in one row.
 std::string binaryPlyStrips(const Positions& positions, Spelling spelling, Order order)
 {
-  const bool isFloat = spelling == Spelling::kAsRead;
+  const bool isFloat = spelling == Spelling::AsRead;
   const std::string type = isFloat ? "float" : "double";
   std::string bytes = std::string("ply\nformat binary_") + (order == Order::kLittle ? "little" : "big") +
                       "_endian 1.0\nelement vertex 5\nproperty " + type + " x\nproperty " + type + " y\nproperty " +

@@ -13,8 +13,8 @@ namespace holdfast::test {
 
 /// How coordinates stand in an example.
 enum class Spelling {
-  kAsRead,     ///< as another program might have written them: "+1.5000", single precision
-  kAsWritten,  ///< as they must be written back: shortest text, double precision
+  AsRead,     ///< as another program might have written them: "+1.5000", single precision
+  AsWritten,  ///< as they must be written back: shortest text, double precision
 };
 
 /// A file with a square and a triangle beside it, both in the plane z = 0; every normal in it is (0, 0, 1).
@@ -28,7 +28,7 @@ struct MeshExample {
   /// The whole file with these positions.
   std::function<std::string(const Positions& positions, Spelling spelling)> bytes;
 
-  [[nodiscard]] std::string file() const { return bytes(rest, Spelling::kAsRead); }
+  [[nodiscard]] std::string file() const { return bytes(rest, Spelling::AsRead); }
 };
 
 /// An example of every format and variant.

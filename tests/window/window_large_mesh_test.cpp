@@ -62,7 +62,7 @@ TEST_F(LargeMeshInWindow, EveryPictureOfAMovementIsSeen)
   bool isSeen = true;
   QElapsedTimer waiting;
   QObject::connect(&viewport(), &Viewport::aboutToRender, &viewport(), [&] {
-    if (!isSeen && waiting.elapsed() < Viewport::kMostMillisecondsUnseen) ++unseen;
+    if (!isSeen && waiting.elapsed() < FrameScheduler::kMostMillisecondsUnseen) ++unseen;
   });
   QObject::connect(&viewport(), &Viewport::rendered, &viewport(), [&] {
     ++pictures;

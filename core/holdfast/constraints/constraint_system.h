@@ -7,6 +7,7 @@
 
 #include <holdfast/constraints/constraint.h>
 #include <holdfast/constraints/known_places.h>
+#include <holdfast/constraints/row_directions.h>
 #include <holdfast/mesh/solver_mesh.h>
 #include <holdfast/surface/surface_locator.h>
 
@@ -18,7 +19,7 @@ enum class RowKind {
   Relative   ///< how one point of the surface lies to another: p_from - p_to, Fig. 8
 };
 
-/// One row of B x = d. It holds for x, y and z alike.
+/// One row of B x = d, for all coordinates alike.
 struct ConstraintRow {
   /// Unknowns, ascending, with their coefficients. A pin is one term of weight 1. The coefficients of a difference sum
   /// to 0, and there are none at all where it is that of a point and itself.
@@ -28,8 +29,13 @@ struct ConstraintRow {
   Index constraint = 0;  ///< place in the list of the constraint that it came from
   RowKind kind = RowKind::Position;
   int corners = 0;  ///< vertices of the file that a single point hangs on; 0 for a vertex of a selection
+  RowDirections directions = {};
 
-  [[nodiscard]] bool isPin() const noexcept { return kind == RowKind::Position && terms.size() == 1; }
+  /// A pin places a vertex: the solution copies its target.
+  [[nodiscard]] bool isPin() const noexcept
+  {
+    return kind == RowKind::Position && terms.size() == 1 && directions.areAll();
+  }
 };
 
 /// A row whose d turns with the surface: exp(q) rest, with q the sum of weight * q_unknown. In a rigid region that is

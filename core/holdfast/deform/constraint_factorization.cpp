@@ -76,7 +76,8 @@ bool ConstraintFactorization::serves(const ConstraintSystem& other) const
   std::atomic<bool> isSame = other.rows.size() == system.rows.size();
   if (isSame)
     parallelBlocks(static_cast<Index>(system.rows.size()), [&](Index r) {
-      if (other.rows[r].terms != system.rows[r].terms) isSame = false;
+      if (other.rows[r].terms != system.rows[r].terms || other.rows[r].directions != system.rows[r].directions)
+        isSame = false;
     });
   return isSame && turnsAs(other);
 }

@@ -272,7 +272,7 @@ std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& wel
     Vector3 at = Vector3::Zero();
     for (const Term& term : row.terms)
       at += term.coefficient * positions.row(weld.firstVertexOf[term.index]).transpose();
-    residuals[r] = (at - row.target).stableNorm();
+    residuals[r] = row.directions.held(at - row.target).stableNorm();
   });
   return residuals;
 }
@@ -346,9 +346,8 @@ std::optional<MissedRow> setLargestResidual(Report& report, const DeformDetails&
   return worst;
 }
 
-bool setRoundedResiduals(Report& report, const DeformResult& result, const Weld& weld)
+bool setStoredResiduals(Report& report, const DeformResult& result, const Positions& stored, const Weld& weld)
 {
-  const Positions stored = result.positions.cast<float>().cast<double>();
   const std::vector<double> residuals = rowResiduals(result.details->system, weld, stored);
   report.constraints = outcomes(*result.details, residuals);
   return setLargestResidual(report, *result.details, residuals).has_value();

@@ -73,8 +73,8 @@ struct MissedRow {
 std::optional<MissedRow> setLargestResidual(Report& report, const DeformDetails& details,
                                             const std::vector<double>& residuals);
 
-/// Sets the outcomes in `report` to what a reader of a file finds that stores the positions of `result` in single
-/// precision. These are the residuals, and what follows from them. Returns whether a row is missed.
-bool setRoundedResiduals(Report& report, const DeformResult& result, const Weld& weld);
+/// Sets the outcomes in `report` to what a reader of a file finds that holds `stored` for the positions of `result`.
+/// These are the residuals, and what follows from them. Returns whether a row is missed.
+bool setStoredResiduals(Report& report, const DeformResult& result, const Positions& stored, const Weld& weld);
 
 }  // namespace holdfast

@@ -3,6 +3,7 @@
 /// with other positions.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace holdfast {
 /// The contents of a file, ready to be written.
 struct Serialized {
   std::string bytes;
-  std::vector<std::string> notes;  ///< what the user should know: "120 normals recomputed"
-  bool isSinglePrecision = false;  ///< coordinates are stored as floats
+  std::vector<std::string> notes;        ///< what the user should know: "120 normals recomputed"
+  std::optional<Positions> stored = {};  ///< what a reader finds, where the format rounds positions
 };
 
 /// A source keeps the whole file that a mesh came from, in the form that its format needs to write it again.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <holdfast/elimination/dependency.h>
 #include <holdfast/elimination/sequential_qr.h>
 
 #include "support/random.h"

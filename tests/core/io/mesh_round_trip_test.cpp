@@ -68,7 +68,7 @@ TEST_P(MeshRoundTrip, OtherPositionsChangeNothingElse)
 {
   const MeshDocument document = read(GetParam().file());
   const Serialized other = serializeMesh(document, hardPositions(), GetParam().extension);
-  EXPECT_EQ(other.bytes, GetParam().bytes(hardPositions(), Spelling::kAsWritten));
+  EXPECT_EQ(other.bytes, GetParam().bytes(hardPositions(), Spelling::AsWritten));
 }
 
 TEST_P(MeshRoundTrip, DoublesSurviveToTheLastBit)
@@ -105,7 +105,7 @@ TEST_P(TextMeshRoundTrip, OneMovedVertexKeepsTheTokensOfTheOthers)
   Positions positions = GetParam().rest;
   positions(4, 0) = 2.5;
   const std::string written = serializeMesh(document, positions, GetParam().extension).bytes;
-  std::string expected = GetParam().bytes(positions, Spelling::kAsRead);
+  std::string expected = GetParam().bytes(positions, Spelling::AsRead);
   for (auto at = expected.find("+2.5000"); at != std::string::npos; at = expected.find("+2.5000"))
     expected.replace(at, 7, "2.5");
   for (auto at = expected.find(" float x"); at != std::string::npos; at = expected.find(" float x"))

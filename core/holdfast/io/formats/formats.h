@@ -38,13 +38,14 @@ void checkPlyHead(std::string_view head, const std::string& file);
 [[nodiscard]] Serialized writePly(const Mesh& rest, const Positions& positions);
 [[nodiscard]] Serialized writeStl(const Mesh& rest, const Positions& positions);
 
-/// Adds a note on what floats lose of `positions`. Throws `OutputError` where a coordinate is too large for one.
-void noteStlRounding(const Positions& positions, std::vector<std::string>& notes);
+/// Returns what STL holds of `positions`, and adds a note on what it loses. Throws `OutputError` where a coordinate is
+/// too large for a float.
+[[nodiscard]] Positions storedInStl(const Positions& positions, std::vector<std::string>& notes);
 
 /// What follows serves the readers: a file is written again as the bytes that were read, with other numbers in the
 /// places of coordinates and normals.
 
-enum class NumberType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat, kDouble };
+enum class NumberType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float, Double };
 
 /// Bytes that a number takes in a binary file.
 [[nodiscard]] constexpr std::size_t sizeOf(NumberType type)
@@ -54,7 +55,7 @@ enum class NumberType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat,
 
 [[nodiscard]] constexpr bool isInteger(NumberType type)
 {
-  return type < NumberType::kFloat;
+  return type < NumberType::Float;
 }
 
 /// Where a file says the three numbers of a vertex or of a stored normal, or one of them.
@@ -83,7 +84,7 @@ struct FileLayout {
   TextDialect dialect;
   std::vector<std::string> extras;            ///< see `MeshSource::extras`
   std::optional<std::endian> byteOrder = {};  ///< none in a text
-  std::array<NumberType, 3> coordinateTypes{NumberType::kDouble, NumberType::kDouble, NumberType::kDouble};
+  std::array<NumberType, 3> coordinateTypes{NumberType::Double, NumberType::Double, NumberType::Double};
   std::array<NumberType, 3> normalTypes = coordinateTypes;
   bool areTogether = true;                ///< each place has three numbers; else one
   std::vector<NumberPlace> numbers = {};  ///< ascending
@@ -94,8 +95,8 @@ struct FileLayout {
   std::vector<std::size_t> typeWords = {};      ///< where a header names types of coordinates that become double
   std::vector<std::string> notesOfMotion = {};  ///< what is to be said where a vertex moves
   std::vector<std::string> remarks = {};        ///< see `MeshDocument::remarks`
-  /// Coordinates are written as floats: notes what that loses.
-  void (*noteRounding)(const Positions& positions, std::vector<std::string>& notes) = nullptr;
+  /// Rounds positions as the format stores them, and notes what that loses. Null where it holds doubles.
+  Positions (*stored)(const Positions& positions, std::vector<std::string>& notes) = nullptr;
 };
 
 /// The document of a file that says `mesh`.

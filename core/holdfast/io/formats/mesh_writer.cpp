@@ -106,8 +106,7 @@ Serialized writeStl(const Mesh& rest, const Positions& positions)
 {
   constexpr std::size_t kStlHeaderBytes = 80;
   Serialized result;
-  noteStlRounding(positions, result.notes);
-  result.isSinglePrecision = true;
+  result.stored = storedInStl(positions, result.notes);
   result.bytes = "Holdfast";
   result.bytes.resize(kStlHeaderBytes, ' ');
   const std::vector<Triangle> triangles = triangulate(rest).triangles;
@@ -118,7 +117,7 @@ Serialized writeStl(const Mesh& rest, const Positions& positions)
   return result;
 }
 
-void noteStlRounding(const Positions& positions, std::vector<std::string>& notes)
+Positions storedInStl(const Positions& positions, std::vector<std::string>& notes)
 {
   constexpr double kLargestFloat = std::numeric_limits<float>::max();
   Index count = 0;     // coordinates that a float cannot hold
@@ -137,6 +136,7 @@ void noteStlRounding(const Positions& positions, std::vector<std::string>& notes
     notes.push_back(fmt::format(
         "STL stores single precision: {} rounded, off by at most {:.3g}; write PLY, OBJ or OFF to keep every digit",
         counted(count, "coordinate"), largest));
+  return positions.cast<float>().cast<double>();
 }
 
 }  // namespace holdfast

@@ -9,9 +9,9 @@ namespace holdfast {
 
 struct PlyProperty {
   std::string name;
-  NumberType type = NumberType::kFloat;  ///< of a list: of its items
-  std::optional<NumberType> countType;   ///< set for a list
-  std::size_t typeOffset = 0;            ///< where the header names `type`
+  NumberType type = NumberType::Float;  ///< of a list: of its items
+  std::optional<NumberType> countType;  ///< set for a list
+  std::size_t typeOffset = 0;           ///< where the header names `type`
 
   [[nodiscard]] bool isList() const noexcept { return countType.has_value(); }
 };

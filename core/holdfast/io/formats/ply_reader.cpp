@@ -98,7 +98,7 @@ class PlyReader {
       layout_.normalTypes[k] = typeOf((*normals)[k]);
     }
     for (std::size_t p = 0; p < numbers_.size(); ++p)
-      if (numbers_[p] >= 0 && vertex_->properties[p].type != NumberType::kDouble)
+      if (numbers_[p] >= 0 && vertex_->properties[p].type != NumberType::Double)
         layout_.typeWords.push_back(vertex_->properties[p].typeOffset);
     if (!layout_.typeWords.empty()) layout_.notesOfMotion.emplace_back("coordinates promoted to double");
     const auto areTogether = [](const std::array<Index, 3>& p) { return p[1] == p[0] + 1 && p[2] == p[1] + 1; };

@@ -39,14 +39,14 @@ class SpliceSource final : public MeshSource {
   [[nodiscard]] Serialized withPositions(const Mesh& rest, const Positions& positions) const override
   {
     assert(positions.rows() == rest.vertexCount());
-    const bool isSinglePrecision = layout_.noteRounding != nullptr;
     Index v = 0;
     while (v < positions.rows() && hasSameRow(rest.positions, positions, v)) ++v;
-    if (v == positions.rows()) return {bytes_, {}, isSinglePrecision};
+    if (v == positions.rows()) return {bytes_, {}};
     NormalUpdate update = updateNormals(rest, layout_, positions);
     update.notes.insert(update.notes.end(), layout_.notesOfMotion.begin(), layout_.notesOfMotion.end());
-    if (isSinglePrecision) layout_.noteRounding(positions, update.notes);
-    return {spliced(rest.positions, positions, update), std::move(update.notes), isSinglePrecision};
+    std::optional<Positions> stored;
+    if (layout_.stored != nullptr) stored = layout_.stored(positions, update.notes);
+    return {spliced(rest.positions, positions, update), std::move(update.notes), std::move(stored)};
   }
 
  private:
@@ -104,7 +104,7 @@ class SpliceSource final : public MeshSource {
   /// Of coordinates.
   [[nodiscard]] NumberType writtenType() const
   {
-    return layout_.noteRounding != nullptr ? NumberType::kFloat : NumberType::kDouble;
+    return layout_.stored != nullptr ? NumberType::Float : NumberType::Double;
   }
 
   [[nodiscard]] std::string bytesOf(double value, NumberType type) const
@@ -112,7 +112,7 @@ class SpliceSource final : public MeshSource {
     const auto written = [&](auto number) {
       return layout_.byteOrder ? toBytes(number, *layout_.byteOrder) : std::string(NumberText(number).view());
     };
-    return type == NumberType::kFloat ? written(static_cast<float>(value)) : written(value);
+    return type == NumberType::Float ? written(static_cast<float>(value)) : written(value);
   }
 
   std::string bytes_;

@@ -278,9 +278,9 @@ MeshDocument readBinaryStl(std::string bytes, const std::string& file)
   const auto [offsets, remark] = placesOfFacets(bytes, file);
   const auto count = static_cast<Index>(offsets.size());
   FileLayout layout{".stl", {}, {"facet normals"}, std::endian::little};
-  layout.coordinateTypes.fill(NumberType::kFloat);
-  layout.normalTypes.fill(NumberType::kFloat);
-  layout.noteRounding = noteStlRounding;
+  layout.coordinateTypes.fill(NumberType::Float);
+  layout.normalTypes.fill(NumberType::Float);
+  layout.stored = storedInStl;
   if (!remark.empty()) layout.remarks.push_back(remark);
   Positions positions(3 * count, 3);
   bool hasAttributes = false;

@@ -86,11 +86,11 @@ class PolyDataSource final : public MeshSource {
   [[nodiscard]] Serialized withPositions(const Mesh& rest, const Positions& positions, std::string_view extension) const
   {
     assert(positions.rows() == rest.vertexCount());
-    if (extension == ".vtp" && areSame(positions, rest.positions)) return {bytes_, {}, false};
+    if (extension == ".vtp" && areSame(positions, rest.positions)) return {bytes_, {}};
     vtkNew<vtkPolyData> moved;
     // Not a shallow copy: VTK writes notes of its own into arrays, and this document is const.
     moved->DeepCopy(file_.polyData);
-    Serialized result{"", refreshNormals(*moved, rest, positions), false};
+    Serialized result{"", refreshNormals(*moved, rest, positions)};
     moved->SetPoints(toPoints(positions));
     result.bytes = bytesOf(*moved, extension, file_.compressor);
     if (file_.polyData->GetPoints()->GetDataType() != VTK_DOUBLE)
@@ -194,7 +194,7 @@ Serialized serializePolyData(const MeshDocument& document, const Positions& posi
 {
   if (const auto* source = dynamic_cast<const PolyDataSource*>(document.source.get()))
     return source->withPositions(document.mesh, positions, extension);
-  Serialized result{bytesOf(*toPolyData(document.mesh, positions), extension), {}, false};
+  Serialized result{bytesOf(*toPolyData(document.mesh, positions), extension), {}};
   if (document.source != nullptr)
     result.notes.push_back(
         fmt::format("only positions and faces of the {} file are kept in {}", document.source->extension(), extension));

@@ -167,7 +167,8 @@ void DocumentExports::exportMesh()
          progress.step("writing the mesh");
          Made file{serializeAnyMesh(document, deformation->positions, path)};
          Report report = deformation->report;
-         if (file.contents.isSinglePrecision && setRoundedResiduals(report, *deformation, model->solverMesh.weld))
+         const std::optional<Positions>& stored = file.contents.stored;
+         if (stored && setStoredResiduals(report, *deformation, *stored, model->solverMesh.weld))
            file.missedBy = report.solve.maxResidual;
          return file;
        });

@@ -8,6 +8,7 @@
 
 #include <vtkCamera.h>
 
+#include <holdfast/base/thread_priority.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/widgets/scene/lighting.h>
@@ -17,7 +18,8 @@
 namespace holdfast {
 namespace {
 
-constexpr int kRestMilliseconds = 250;
+// Threads of Mesa's renderer for machines without a GPU.
+constexpr const char* kDrawingThreads = "llvmpipe-";
 
 /// Where constraints act on the way from rest.
 std::vector<ConstraintMark> marksAt(std::vector<ConstraintMark> marks, double share)
@@ -66,18 +68,11 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
   orientation_->On();
 
   marksUnderCursor_->SetRenderer(renderer_);
-  fence_ = std::make_unique<DrawFence>(*window_);
-  slices_ = std::make_unique<SlicedDrawing>(*renderer_);
-  kept_ = std::make_unique<KeptScene>(*renderer_, *orientation_->GetDefaultRenderer());
+  frames_ = std::make_unique<FrameScheduler>(editor_, *this, *renderer_, *orientation_->GetDefaultRenderer());
+  connect(frames_.get(), &FrameScheduler::aboutToDrawScene, this, &Viewport::prepareCamera);
+  connect(frames_.get(), &FrameScheduler::aboutToRender, this, &Viewport::aboutToRender);
+  connect(frames_.get(), &FrameScheduler::rendered, this, &Viewport::rendered);
   overlay_ = new ViewportOverlay(editor_, *this);
-  renderTimer_.setSingleShot(true);
-  connect(&renderTimer_, &QTimer::timeout, this, &Viewport::render);
-  restTimer_.setSingleShot(true);
-  restTimer_.setInterval(kRestMilliseconds);
-  connect(&restTimer_, &QTimer::timeout, this, &Viewport::renderInFull);
-  drawnTimer_.setSingleShot(true);
-  connect(&drawnTimer_, &QTimer::timeout, this, &Viewport::goOnWhenDrawn);
-  connect(this, &QOpenGLWidget::frameSwapped, this, &Viewport::noteSwap);
 
   connect(this, &VtkView::renderWanted, this, &Viewport::scheduleWidgets);
   connect(&editor_, &Editor::opened, this, &Viewport::openDocument);
@@ -110,7 +105,44 @@ void Viewport::warmUp(const ExampleDocument& example)
     contents.color(coloringOf(example.model, example.deformation, colors, ""));
     grabFramebuffer();
   }
-  if (kept_->isCurrent()) kept_->drawLayersAbove();
+  frames_->drawLayersAbove();
+}
+
+void Viewport::initializeGL()
+{
+  VtkView::initializeGL();
+  spreadOverCores(kDrawingThreads);
+}
+
+void Viewport::paintGL()
+{
+  frames_->beginPainting();
+  VtkView::paintGL();
+  frames_->endPainting();
+}
+
+void Viewport::resizeEvent(QResizeEvent* event)
+{
+  frames_->abandon();
+  VtkView::resizeEvent(event);
+  overlay_->setGeometry(rect());
+  if (contents_) contents_->setPixelRatio(pixelRatio());
+  orientation_->SetPixelRatio(pixelRatio());
+  keepClearOfLegend();
+  scheduleRender();
+}
+
+void Viewport::scheduleRender()
+{
+  frames_->scheduleScene();
+}
+
+void Viewport::scheduleWidgets()
+{
+  // A widget that has moved the camera does not report it, and the kept scene includes the balls in the corner.
+  const bool isAnotherView = shownView_ != cameraOf(*renderer_->GetActiveCamera());
+  if (orientation_->GetProcessEvents() != 0 || isAnotherView) return frames_->scheduleScene();
+  frames_->schedulePicture();
 }
 
 void Viewport::setDarkBackdrop(bool isDark)
@@ -133,7 +165,7 @@ void Viewport::openDocument()
   shownShare_ = 1;
   Q_EMIT shownShareChanged(shownShare_);
   lookUnderCursor(nullptr);
-  abandonDrawing();
+  frames_->setContents(nullptr);
   renderer_->RemoveAllViewProps();
   contents_.reset();
   coloring_.reset();
@@ -145,8 +177,7 @@ void Viewport::openDocument()
     contents_->setPixelRatio(pixelRatio());
     contents_->addTo(*renderer_);
     contents_->setSection(section_);
-    // A guess until the first full picture was measured.
-    fullMilliseconds_ = isLarge(*editor_.model()) ? 2 * kFluentMilliseconds : 0;
+    frames_->setContents(contents_.get());
     setDisplay(display_);
     showColors();
     setUpAxis(upAxisOf(editor_.mesh()));
@@ -183,7 +214,7 @@ void Viewport::setShownShare(double share)
 {
   if (shownShare_ != share && editor_.deformation()) {
     shownShare_ = share;
-    prepareToMove();
+    frames_->prepareToMove();
     showSurface();
     contents_->setPositions(surface_->positions());
     showConstraints();
@@ -196,7 +227,7 @@ void Viewport::setSection(const std::optional<SectionPlane>& section)
   if (section_ == section) return;
   section_ = section;
   if (!contents_) return;
-  prepareToMove();
+  frames_->prepareToMove();
   contents_->setSection(section_);
   showSurface();
   scheduleRender();
@@ -205,7 +236,7 @@ void Viewport::setSection(const std::optional<SectionPlane>& section)
 
 void Viewport::showResult()
 {
-  prepareToMove();
+  frames_->prepareToMove();
   if (std::exchange(shownShare_, 1) != 1) Q_EMIT shownShareChanged(1);
   showSurface();
   contents_->showShape(*editor_.deformation());
@@ -248,7 +279,7 @@ void Viewport::showColors()
 void Viewport::showSelection()
 {
   if (!contents_) return;
-  prepareToMove();
+  frames_->prepareToMove();
   contents_->setSelection(editor_.selectedVertices());
   contents_->highlight(editor_.selectedConstraints());
   scheduleRender();

@@ -3,7 +3,6 @@
 
 #include <QElapsedTimer>
 #include <QMouseEvent>
-#include <QTimer>
 #include <array>
 #include <memory>
 #include <optional>
@@ -21,13 +20,10 @@
 #include <holdfast/widgets/interaction/surface_camera_style.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/widgets/picking/visible_surface.h>
-#include <holdfast/widgets/scene/kept_scene.h>
 #include <holdfast/widgets/scene/scene_contents.h>
-#include <holdfast/widgets/scene/sliced_drawing.h>
 #include <holdfast/window/controls/vtk_view.h>
 #include <holdfast/window/model/editor.h>
-#include <holdfast/window/viewport/draw_fence.h>
-#include <holdfast/window/viewport/repaint_pause.h>
+#include <holdfast/window/viewport/frame_scheduler.h>
 #include <holdfast/window/viewport/tool.h>
 #include <holdfast/window/viewport/viewport_legend.h>
 
@@ -131,19 +127,13 @@ class Viewport : public VtkView {
   /// In the widget's coordinates, from the upper left corner.
   [[nodiscard]] QPointF toPlace(const DisplayPoint& display) const;
 
-  /// The next picture waits this long for the window to show the last one. A minimised window shows none.
-  static constexpr int kMostMillisecondsUnseen = 100;
-
   void scheduleRender();
   /// For VTK's interactor: draws only the layers above the document if that has not changed.
   void scheduleWidgets();
   /// Whether the latest picture of the document is one of all its triangles.
-  [[nodiscard]] bool isInFullDetail() const noexcept { return !isCoarse_; }
+  [[nodiscard]] bool isInFullDetail() const noexcept { return frames_->isInFullDetail(); }
   /// Whether a picture, or one of more detail, is still to come.
-  [[nodiscard]] bool isRenderPending() const
-  {
-    return renderTimer_.isActive() || restTimer_.isActive() || drawnTimer_.isActive();
-  }
+  [[nodiscard]] bool isRenderPending() const { return frames_->isPending(); }
 
  Q_SIGNALS:
   /// Another field, another scale, or other values of it.
@@ -195,22 +185,7 @@ class Viewport : public VtkView {
   [[nodiscard]] FreeSides freeSides() const;
   void keepClearOfLegend();
   void framePlaces(const Positions& places);
-  void schedulePicture();
-  void noteSwap();
-  /// Avoids work for a full picture that will not be drawn.
-  void prepareToMove();
-  void render();
-  [[nodiscard]] bool movesCoarse() const;
-  void prepareScene();
-  void renderAtOnce();
-  void renderInFull();
-  void renderSlice();
-  void smoothAtRest();
-  void awaitDrawing();
-  void goOnWhenDrawn();
-  [[nodiscard]] bool isUnseen() const { return waiting_.isValid() && waiting_.elapsed() < kMostMillisecondsUnseen; }
-  [[nodiscard]] bool isSolutionAwaited() const;
-  void abandonDrawing();
+  void prepareCamera();
   void fitClippingRange();
 
   Editor& editor_;
@@ -237,30 +212,13 @@ class Viewport : public VtkView {
   vtkNew<SurfaceCameraStyle> style_;
   vtkNew<OrientationWidget> orientation_;  // in the corner
   vtkNew<ConstraintMarkRepresentation> marksUnderCursor_;
+  std::unique_ptr<FrameScheduler> frames_;
   ViewportOverlay* overlay_;
 
   Tool* tool_ = nullptr;
   Tool* firstTool_ = nullptr;
-  bool isHeld_ = false;           // a button of the mouse is down
   bool isLegendPressed_ = false;  // the left one, on the legend
   bool isOverOrientation_ = false;
-
-  QTimer renderTimer_;  // draws once a turn of the event loop
-  QTimer restTimer_;    // draws the full detail when the mouse rests
-  QTimer drawnTimer_;   // looks whether the drawing is done
-  std::unique_ptr<DrawFence> fence_;
-  RepaintPause pause_{*this};  // while something is drawn
-  std::unique_ptr<SlicedDrawing> slices_;
-  std::unique_ptr<KeptScene> kept_;
-  QElapsedTimer drawing_;        // since the picture was begun
-  QElapsedTimer waiting_;        // for the window to show it; invalid once it does
-  double fullMilliseconds_ = 0;  // of the last picture in full detail
-  bool isCoarse_ = false;
-  bool isSceneDue_ = false;  // the next picture is one of the document, too
-  bool isFullDue_ = false;   // the mouse rests long enough, but a coarse picture is under way
-
-  // Beyond this a moving picture is drawn of fewer triangles.
-  static constexpr double kFluentMilliseconds = 30;
 };
 
 }  // namespace holdfast

@@ -217,6 +217,12 @@ void Viewport::cameraMoved()
   scheduleRender();
 }
 
+void Viewport::prepareCamera()
+{
+  noteView();
+  fitClippingRange();
+}
+
 void Viewport::fitClippingRange()
 {
   vtkBoundingBox shown;

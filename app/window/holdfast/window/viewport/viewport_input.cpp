@@ -51,7 +51,7 @@ bool Viewport::cancelGesture()
 {
   // Gestures of the camera stop where they are.
   style_->Cancel();
-  isHeld_ = false;
+  frames_->noteCancelled();
   return (firstTool_ && firstTool_->cancel()) || (tool_ && tool_->cancel());
 }
 
@@ -100,18 +100,16 @@ bool Viewport::event(QEvent* event)
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
     case QEvent::MouseButtonDblClick:
-      if (!isHeld_) wakeOrientation(static_cast<const QMouseEvent&>(*event).localPos());
+      if (!frames_->isHeld()) wakeOrientation(static_cast<const QMouseEvent&>(*event).localPos());
       if (event->type() == QEvent::MouseButtonPress) isNewView_ = true;
-      isHeld_ = static_cast<const QMouseEvent&>(*event).buttons() != Qt::NoButton;
-      // A coarse picture is drawn in full when the buttons rest.
-      if (!isHeld_ && isCoarse_ && event->type() != QEvent::MouseMove) restTimer_.start();
-      smoothAtRest();
+      frames_->noteMouse(static_cast<const QMouseEvent&>(*event).buttons() != Qt::NoButton,
+                         event->type() == QEvent::MouseMove);
       break;
     case QEvent::Leave:
       lookUnderCursor(nullptr);
       break;
     case QEvent::Wheel:
-      if (!wheel_.isValid() || wheel_.elapsed() > restTimer_.interval()) isNewView_ = true;
+      if (!wheel_.isValid() || wheel_.elapsed() > FrameScheduler::kRestMilliseconds) isNewView_ = true;
       wheel_.start();
       break;
     case QEvent::ShortcutOverride:

@@ -1,0 +1,113 @@
+#include "holdfast/constraints/axis_systems.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace holdfast {
+namespace {
+
+// Directions that are parallel or square up to this are so but for the rounding of their numbers. A row misses its
+// target by no more than this share of its displacement, a hundredth of what is promised.
+constexpr double kRoundedAngle = 1e-14;
+
+bool areParallel(const Vector3& a, const Vector3& b)
+{
+  return a.cross(b).norm() <= kRoundedAngle;
+}
+
+/// The different axes of the rows, no more than three; nothing where two are at odds.
+std::optional<std::vector<Vector3>> axesOf(const std::vector<ConstraintRow>& rows)
+{
+  std::vector<Vector3> axes;
+  for (const ConstraintRow& row : rows) {
+    if (row.directions.areAll()) continue;
+    const Vector3& axis = row.directions.axis();
+    if (std::ranges::any_of(axes, [&](const Vector3& other) { return areParallel(axis, other); })) continue;
+    if (std::ranges::any_of(axes, [&](const Vector3& other) { return std::abs(axis.dot(other)) > kRoundedAngle; }))
+      return std::nullopt;
+    axes.push_back(axis);
+  }
+  return axes;
+}
+
+bool isCoordinateAxis(const Vector3& axis)
+{
+  return std::ranges::any_of(std::array{0, 1, 2}, [&](int k) { return areParallel(axis, Vector3::Unit(k)); });
+}
+
+/// The axes of the frame along which a row holds.
+std::bitset<3> heldAxes(const RowDirections& directions, const Eigen::Matrix3d& frame)
+{
+  std::bitset<3> result;
+  for (int k = 0; k < 3; ++k)
+    result[static_cast<std::size_t>(k)] =
+        directions.areAll() || areParallel(directions.axis(), frame.col(k)) == directions.areAlongAxis();
+  return result;
+}
+
+Vector3 alongAxes(const Vector3& value, const std::bitset<3>& axes, const Eigen::Matrix3d& frame)
+{
+  Vector3 result = Vector3::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (axes[static_cast<std::size_t>(k)]) result[k] = frame.isIdentity(0) ? value[k] : frame.col(k).dot(value);
+  return result;
+}
+
+}  // namespace
+
+std::optional<Eigen::Matrix3d> commonFrame(const std::vector<ConstraintRow>& rows)
+{
+  const std::optional<std::vector<Vector3>> axes = axesOf(rows);
+  if (!axes) return std::nullopt;
+  Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
+  if (std::ranges::all_of(*axes, isCoordinateAxis)) return frame;
+  frame.col(0) = axes->front();
+  frame.col(2) = frame.col(0).cross(axes->size() > 1 ? (*axes)[1] : frame.col(0).unitOrthogonal()).normalized();
+  frame.col(1) = frame.col(2).cross(frame.col(0));
+  return frame;
+}
+
+std::vector<AxisSystem> axisSystems(const ConstraintSystem& system, const Eigen::Matrix3d& frame)
+{
+  std::array<std::vector<Index>, 3> rowsOf;
+  for (std::size_t r = 0; r < system.rows.size(); ++r) {
+    const std::bitset<3> axes = heldAxes(system.rows[r].directions, frame);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (axes[k]) rowsOf[k].push_back(static_cast<Index>(r));
+  }
+  std::vector<AxisSystem> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto same = std::ranges::find(result, rowsOf[k], &AxisSystem::rows);
+    if (same == result.end())
+      result.push_back({std::bitset<3>().set(k), std::move(rowsOf[k]), {}});
+    else
+      same->axes.set(k);
+  }
+  for (AxisSystem& some : result)
+    for (const Index r : some.rows) {
+      ConstraintRow& row = some.system.rows.emplace_back(system.rows[r]);
+      row.target = alongAxes(row.target, some.axes, frame);
+      row.shift = alongAxes(row.shift, some.axes, frame);
+      row.directions = {};
+    }
+  return result;
+}
+
+Columns3 alongAxes(const Columns3& values, const std::bitset<3>& axes, const Eigen::Matrix3d& frame)
+{
+  Columns3 result(values.rows(), 3);
+  for (Index i = 0; i < values.rows(); ++i) result.row(i) = alongAxes(Vector3(values.row(i)), axes, frame);
+  return result;
+}
+
+Columns3 joinedAxes(std::span<const Columns3> ofSystems, const Eigen::Matrix3d& frame)
+{
+  Columns3 result = ofSystems.front();
+  for (const Columns3& other : ofSystems.subspan(1)) result += other;
+  if (!frame.isIdentity(0)) result *= frame.transpose();
+  return result;
+}
+
+}  // namespace holdfast
