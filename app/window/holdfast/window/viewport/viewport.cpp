@@ -55,7 +55,6 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
   widgetRenderer_->SetActiveCamera(renderer_->GetActiveCamera());
   widgetRenderer_->PreserveDepthBufferOn();
   renderer_->GradientBackgroundOn();
-  setDarkBackdrop(false);
   interactor()->SetInteractorStyle(style_);
   style_->AutoAdjustCameraClippingRangeOff();
   style_->AddObserver(ContextMenuRequestEvent, this, &Viewport::askForContextMenu);
@@ -73,6 +72,7 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
   connect(frames_.get(), &FrameScheduler::aboutToRender, this, &Viewport::aboutToRender);
   connect(frames_.get(), &FrameScheduler::rendered, this, &Viewport::rendered);
   overlay_ = new ViewportOverlay(editor_, *this);
+  setDarkBackdrop(false);
 
   connect(this, &VtkView::renderWanted, this, &Viewport::scheduleWidgets);
   connect(&editor_, &Editor::opened, this, &Viewport::openDocument);
