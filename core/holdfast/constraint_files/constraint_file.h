@@ -37,7 +37,7 @@ inline constexpr std::array<std::string_view, 5> kPointListExtensions{".csv", ".
 /// A row that cannot be read is refused with an `InputError`, or skipped.
 enum class BadRows { Refuse, Skip };
 
-/// What a point list said: its constraints, and the rows that were left out.
+/// Holds what was read of a point list: its constraints, and the rows that were left out.
 struct PointList {
   ConstraintList list;
   std::vector<SkippedRow> skippedRows;  ///< empty where bad rows are refused

@@ -1,6 +1,6 @@
 #pragma once
-/// What readers and writers of constraint files and sessions share: texts, JSON values that know their path, and the
-/// part of a document that states constraints.
+/// Readers and writers of constraint files and sessions share these. They are texts, JSON values that know their path,
+/// and the part of a document that states constraints.
 
 #include <cstdint>
 #include <filesystem>
@@ -18,24 +18,25 @@
 
 namespace holdfast {
 
-/// `text` without a byte order mark. Throws `InputError` with the line of the first byte that is not UTF-8.
+/// Returns `text` without a byte order mark. Throws `InputError` with the line of the first byte that is not UTF-8.
 [[nodiscard]] std::string_view requireUtf8(std::string_view text, std::string_view file);
 
 [[nodiscard]] std::string listInQuotes(std::span<const std::string_view> words);
 
-/// `; did you mean "center"? Known here: "axis", "center"`, the end of a message about an unknown word.
+/// Returns the end of a message about an unknown word: `; did you mean "center"? Known here: "axis", "center"`.
 [[nodiscard]] std::string spellingHint(std::string_view word, std::span<const std::string_view> known);
 
-/// Numbers are integers where they are written so and fit, negative ones `std::int64_t`, others `std::uint64_t`; else
-/// doubles. An object holds its members in the order of the text, and as often as they stand there.
+/// Numbers are integers where they are written so and fit, else doubles. Negative integers are `std::int64_t`, others
+/// `std::uint64_t`. An object holds its members in the order of the text, and as often as they stand there.
 using JsonValue = nlohmann::ordered_json;
 
-/// The tree of a JSON text. Throws `InputError` for what is not JSON, not UTF-8, nested deeper than a constraint file
-/// can need, or holds a number that is no double. O(size of the text) in time and memory.
+/// Returns the tree of a JSON text. Throws `InputError` for a text that is not JSON, is not UTF-8, or holds a number
+/// that is no double. Throws it too for one that is nested deeper than a constraint file can need. O(size of the text)
+/// in time and memory.
 [[nodiscard]] JsonValue parseJson(std::string_view text, std::string_view file);
 
-/// A value in a JSON text. Every member function throws `InputError` with file and path where the value is not what it
-/// asks for. Refers to the tree and to the file's name, which must outlive it.
+/// A reader reads a value in a JSON text. Every member function throws `InputError` with file and path where the value
+/// is not what it asks for. The reader refers to the tree and to the file's name, which must outlive it.
 class JsonReader {
  public:
   /// `path` is the place of `value` in the text.
@@ -44,25 +45,25 @@ class JsonReader {
   {
   }
 
-  /// This is an object whose keys are all among `known` and do not repeat.
+  /// Throws unless this is an object whose keys are all among `known` and do not repeat.
   void requireKeys(std::span<const std::string_view> known) const;
   void requireKeys(std::initializer_list<std::string_view> known) const { requireKeys(std::span(known)); }
 
   [[nodiscard]] bool has(std::string_view key) const;
-  /// The keys of this object, which do not repeat and may be any.
+  /// Returns the keys of this object. They may be any, and must not repeat.
   [[nodiscard]] std::vector<std::string_view> keys() const;
 
-  /// The one of `choices` that this object has; both none and several are refused.
+  /// Returns the one of `choices` that this object has. Both none and several are refused.
   [[nodiscard]] std::string_view oneKeyOf(std::span<const std::string_view> choices) const;
 
-  /// The value of a key, which must be there.
+  /// Returns the value of a key, which must be there.
   [[nodiscard]] JsonReader operator[](std::string_view key) const;
 
   [[nodiscard]] std::size_t size() const { return array().size(); }
-  /// This is a list of `count`, which `meaning` names: "[x, y, z]".
+  /// Throws unless this is a list of `count`, which `meaning` names: "[x, y, z]".
   void requireSize(std::size_t count, std::string_view meaning) const;
   [[nodiscard]] JsonReader element(std::size_t place) const;
-  /// The elements of a list, each as `read(element)` has it.
+  /// Returns the elements of a list, each as `read(element)` returns it.
   template <class Read>
   [[nodiscard]] auto list(Read&& read) const
   {
@@ -71,7 +72,7 @@ class JsonReader {
     for (std::size_t k = 0; k < size(); ++k) values.push_back(std::invoke(read, element(k)));
     return values;
   }
-  /// The same of a list that must not be empty.
+  /// Does the same for a list that must not be empty.
   template <class Read>
   [[nodiscard]] auto listAboveZero(Read&& read) const
   {
@@ -81,15 +82,15 @@ class JsonReader {
 
   [[nodiscard]] bool boolean() const { return as<bool>("true or false"); }
   [[nodiscard]] double number() const;
-  /// An integer, written without point and exponent, that fits into 64 bits.
+  /// Returns an integer that fits into 64 bits. It must be written without point and exponent.
   [[nodiscard]] Index integer() const;
-  /// An integer from 0.
+  /// Returns an integer that is 0 or more.
   [[nodiscard]] Index id() const;
   [[nodiscard]] const std::string& text() const { return as<std::string>("text in double quotes"); }
-  /// The place of this text in `names`; where it has none, `unknown` says so: "unknown side {}".
+  /// Returns the place of this text in `names`. Where it has none, `unknown` says so in the error: "unknown side {}".
   [[nodiscard]] std::size_t choice(std::span<const std::string_view> names, fmt::string_view unknown) const;
   [[nodiscard]] Vector3 vector() const;
-  /// [x, y, z], not all zero.
+  /// Returns [x, y, z], which must not be all zero.
   [[nodiscard]] Vector3 direction() const;
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
@@ -99,7 +100,7 @@ class JsonReader {
   {
     failBelow("", fmt::format(reason, std::forward<Args>(args)...));
   }
-  /// The same with this value's path followed by `key`: ".vertices[3]".
+  /// Fails in the same way, with this value's path followed by `key`: ".vertices[3]".
   [[noreturn]] void failBelow(const std::string& key, const std::string& reason) const;
 
  private:
@@ -118,23 +119,24 @@ class JsonReader {
   std::string path_;
 };
 
-/// Keys that only sessions have. A session is a constraint file as well, whose readers skip them.
+/// Only sessions have these keys. A session is a constraint file as well, and readers of constraint files skip them.
 inline constexpr std::array<std::string_view, 6> kSessionKeys{"mesh",         "options", "selections",
                                                               "measurements", "view",    "original"};
 
-/// The constraints of a document that is a constraint file or a session. Throws `InputError`.
+/// Returns the constraints of a document that is a constraint file or a session. Throws `InputError`.
 [[nodiscard]] ConstraintList readConstraintDocument(const JsonReader& document);
 
-/// A point of the surface, and a set of vertices, as constraints name them. They throw `InputError`.
+/// These read and write a point of the surface, and a set of vertices, as constraints name them. The readers throw
+/// `InputError`.
 [[nodiscard]] SurfaceLocation readLocation(const JsonReader& json);
 [[nodiscard]] Selection readSelection(const JsonReader& json);
 [[nodiscard]] JsonValue locationJson(const SurfaceLocation& location);
 [[nodiscard]] JsonValue selectionJson(const Selection& selection);
 
-/// The members of a constraint file, in lines of their own, without the braces around them.
+/// Returns the members of a constraint file, in lines of their own, without the braces around them.
 [[nodiscard]] std::string constraintMembersJson(const ConstraintList& list);
 
-/// Throws `OutputError` for `what` if `read`, which reads what is to be written, throws `InputError`.
+/// Throws `OutputError` for `what` if `read` throws `InputError`. `read` reads what is to be written.
 template <class Read>
 void requireReadable(const char* what, const Read& read)
 {
@@ -145,8 +147,8 @@ void requireReadable(const char* what, const Read& read)
   }
 }
 
-/// The text of `json` in one line: [1, 2], {"key": "text"}. Doubles have their shortest exact form, -0.0 included; what
-/// is not finite becomes null, which JSON readers refuse with its path. Strings are UTF-8.
+/// Returns the text of `json` in one line: [1, 2], {"key": "text"}. Doubles have their shortest exact form, -0.0
+/// included. What is not finite becomes null, which JSON readers refuse with its path. Strings are UTF-8.
 [[nodiscard]] std::string jsonText(const nlohmann::ordered_json& json);
 
 }  // namespace holdfast

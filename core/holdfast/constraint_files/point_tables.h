@@ -1,6 +1,6 @@
 #pragma once
-/// Tables of points as instruments and spreadsheets write them. How they are to be read is found, and can be chosen. A
-/// row with a fault stands beside the others. Point lists are read by this as well.
+/// Instruments and spreadsheets write tables of points in their own ways. How a table is to be read is found, and can
+/// be chosen. A row with a fault stands beside the others. Point lists are read by this as well.
 
 #include <array>
 #include <optional>
@@ -13,15 +13,15 @@
 
 namespace holdfast {
 
-/// What a column can mean, in the order of `PointTableFormat::columns`.
+/// A column can mean one of these. They are in the order of `PointTableFormat::columns`.
 inline constexpr std::array<std::string_view, 7> kPointColumns{"name",     "x",        "y",       "z",
                                                                "target_x", "target_y", "target_z"};
 
-/// Where the coordinates of places and of targets begin among them.
+/// The coordinates of places and of targets begin here among `kPointColumns`.
 inline constexpr std::size_t kFirstPlaceColumn = 1;
 inline constexpr std::size_t kFirstTargetColumn = 4;
 
-/// Separators of fields; a blank stands for any number of blanks and tabs. Those before others are tried first.
+/// These separate fields. A blank stands for any number of blanks and tabs. They are tried in this order.
 inline constexpr std::array kSeparators{';', '\t', ',', ' '};
 
 struct PointTableFormat {
@@ -29,7 +29,8 @@ struct PointTableFormat {
   char decimalSign = '.';
   double scale = 1;       ///< lengths of the model in one of the table
   bool hasHeader = true;  ///< in the first row
-  /// Where in a row each column is. Without a name points are numbered; without a target they go to their own place.
+  /// Says where in a row each column is. Without a name points are numbered. Without a target they go to their own
+  /// place.
   std::array<std::optional<std::size_t>, kPointColumns.size()> columns;
 };
 
@@ -42,10 +43,10 @@ struct PointTableRow {
   std::string fault;                     ///< what is wrong and what to do, without a full stop; empty if nothing is
 };
 
-/// "column z: "two" is not a number".
+/// Returns the fault with its column: "column z: "two" is not a number".
 [[nodiscard]] std::string faultText(const PointTableRow& row);
 
-/// Why the meaning of columns is only guessed.
+/// A doubt says why the meaning of columns is only guessed.
 struct PointTableDoubt {
   std::string column;  ///< empty where it is the whole header
   std::string reason;
@@ -60,10 +61,10 @@ struct PointTable {
   std::vector<PointTableRow> rows;
 };
 
-/// Reads the table in `format`; if there is none, in the one that fits the text: columns by their titles, else in the
-/// order of `kPointColumns`, with or without names and targets. A format without columns only says separator and scale.
-/// docs/formats.md lists what is understood. Throws `InputError` as `splitCsv` does, for text that is not UTF-8, and
-/// where there are no rows. O(size).
+/// Reads the table in `format`. If there is none, it reads the table in the format that fits the text. Columns are then
+/// found by their titles, else in the order of `kPointColumns`, with or without names and targets. A format without
+/// columns only says separator and scale. docs/formats.md lists what is understood. Throws `InputError` as `splitCsv`
+/// does, for text that is not UTF-8, and where there are no rows. O(size).
 [[nodiscard]] PointTable readPointTable(std::string_view text, const std::string& file,
                                         const std::optional<PointTableFormat>& format = std::nullopt);
 

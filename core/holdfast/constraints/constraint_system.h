@@ -1,5 +1,5 @@
 #pragma once
-/// Constraints as the solver sees them: the rows of B and d, in the user's order, over unknowns.
+/// The solver sees constraints as the rows of B and d, in the user's order, over unknowns.
 
 #include <optional>
 #include <string>
@@ -21,8 +21,8 @@ enum class RowKind {
 
 /// One row of B x = d, for all coordinates alike.
 struct ConstraintRow {
-  /// Unknowns, ascending, with their coefficients. A pin is one term of weight 1. The coefficients of a difference sum
-  /// to 0, and there are none at all where it is that of a point and itself.
+  /// Holds the unknowns, ascending, with their coefficients. A pin is one term of weight 1. The coefficients of a
+  /// difference sum to 0. The difference of a point and itself has no terms at all.
   FewTerms terms;
   Vector3 target;        ///< d, model units
   Vector3 shift;         ///< d - B p at rest: what the row asks of the displacement
@@ -31,22 +31,23 @@ struct ConstraintRow {
   int corners = 0;  ///< vertices of the file that a single point hangs on; 0 for a vertex of a selection
   RowDirections directions = {};
 
-  /// A pin places a vertex: the solution copies its target.
+  /// Tells whether the row is a pin. A pin places a vertex: the solution copies its target.
   [[nodiscard]] bool isPin() const noexcept
   {
     return kind == RowKind::Position && terms.size() == 1 && directions.areAll();
   }
 };
 
-/// A row whose d turns with the surface: exp(q) rest, with q the sum of weight * q_unknown. In a rigid region that is
-/// the q of the unknown whose rotation is given first, else of its first unknown.
+/// The d of this row turns with the surface. It is exp(q) rest, with q the sum of weight * q_unknown. In a rigid region
+/// that is the q of the unknown whose rotation is given first. Where none is given, it is the q of the region's first
+/// unknown.
 struct RotatedVector {
   Index row = 0;                   ///< place in `ConstraintSystem::rows`
   Vector3 rest = Vector3::Zero();  ///< B p at rest, model units
   std::vector<Term> rotation;      ///< unknowns, ascending, with weights of sum 1
 };
 
-/// A rotation that a constraint prescribes, q = r.
+/// A constraint prescribes this rotation, q = r.
 struct GivenRotation {
   Index unknown = 0;
   Vector3 q = Vector3::Zero();  ///< log: half angle times axis, radians, of any number of turns
@@ -54,17 +55,18 @@ struct GivenRotation {
   bool isStated = true;         ///< false for a handle that only moves: 0 is what it does unless rotations are found
 };
 
-/// Something doubtful about an enabled constraint that is solved all the same.
+/// A note says what is doubtful about an enabled constraint that is solved all the same.
 struct ConstraintNote {
   Index constraint = 0;  ///< place in the list
   std::string kind;      ///< "unsaid_rotation", "undetermined_rotation", "rigid_region_of_one_vertex"
   std::string message;   ///< one sentence for people, without the constraint's name
 };
 
-/// A handle that moves by more than this share of its distance from what is fixed, and states no rotation, is noted.
+/// A handle gets a note if it states no rotation and moves by more than this share of its distance from what is fixed.
 inline constexpr double kUnsaidRotation = 0.25;
 
-/// All rows of the enabled constraints, in the user's order: unknowns in range, canonical terms, finite numbers.
+/// Holds all rows of the enabled constraints, in the user's order. Unknowns are in range, terms are canonical, and
+/// numbers are finite.
 struct ConstraintSystem {
   std::vector<ConstraintRow> rows;
   std::vector<RotatedVector> rotated;            ///< ascending by row; the rows are as at q = 0, see `rotated`
@@ -74,9 +76,9 @@ struct ConstraintSystem {
   std::vector<NearPlace> nearPlaces;             ///< of enabled constraints, in the user's order
 };
 
-/// The rows of a list of constraints on a mesh of finite positions. `source` names the list in messages. `places` are
-/// those of lists before this one on the same mesh. Throws `InputError` with the place in the list for what does not
-/// fit the mesh, and for what `validateHandle` or `placeHandle` refuses.
+/// Makes the rows of a list of constraints on a mesh of finite positions. `source` names the list in messages. `places`
+/// are those of lists before this one on the same mesh. Throws `InputError` with the place in the list for what does
+/// not fit the mesh. Throws it too for what `validateHandle` or `placeHandle` refuses.
 [[nodiscard]] ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
                                                     const SolverMesh& solverMesh, const SurfaceLocator& locator,
                                                     const std::string& source, KnownPlaces& places);
@@ -84,11 +86,12 @@ struct ConstraintSystem {
                                                     const SolverMesh& solverMesh, const SurfaceLocator& locator,
                                                     const std::string& source);
 
-/// `system` as it is where rotations are found: without those that are not stated and what is noted of them.
+/// Returns `system` as it is where rotations are found. Rotations that are not stated are left out, and so is what is
+/// noted of them.
 [[nodiscard]] ConstraintSystem withStatedRotations(ConstraintSystem system);
 
-/// `system` with the targets and shifts of its rotated rows at the rotations `q` of all unknowns (n x 3, logs). Counts
-/// from rest, whatever rotations the rows had before. Where q is 0 every row is as it was made, bit for bit.
+/// Returns `system` with the targets and shifts of its rotated rows at the rotations `q` of all unknowns (n x 3, logs).
+/// It counts from rest, whatever rotations the rows had before. Where q is 0 every row is as it was made, bit for bit.
 [[nodiscard]] ConstraintSystem rotated(ConstraintSystem system, const Columns3& q);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// What constraints name on a mesh, kept from one list to the next.
+/// What constraints name on a mesh is kept from one list to the next.
 
 #include <map>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace holdfast {
 
-/// What lists that follow one another on one mesh name there: what stays as it was stated is not found again.
+/// Keeps what lists that follow one another on one mesh name there. What stays as it was stated is not found again.
 class KnownPlaces {
  public:
   struct KnownPoint {
@@ -24,7 +24,7 @@ class KnownPlaces {
     std::optional<Nearness> nearness = {};  ///< of a `near` place
   };
 
-  /// That of the constraint at this place in the list; `find` makes it where the last one was elsewhere.
+  /// Returns the point of the constraint at this place in the list. `find` makes it where the last one was elsewhere.
   template <class Find>
   [[nodiscard]] const KnownPoint& point(Index place, const SurfaceLocation& at, const Find& find)
   {
@@ -34,7 +34,8 @@ class KnownPlaces {
     return *known;
   }
 
-  /// Those that the constraint at this place selects, until it selects otherwise; `find` finds them.
+  /// Returns the vertices that the constraint at this place selects. `find` finds them anew where it selects otherwise
+  /// than before.
   template <class Find>
   [[nodiscard]] std::span<const Index> vertices(Index place, const Selection& selection, const Find& find)
   {

@@ -1,5 +1,6 @@
 #pragma once
-/// How the places that constraints name by `near` lie to the surface, and what they may have been meant to be.
+/// Constraints name places by `near`. These functions tell how such places lie to the surface, and what they may have
+/// been meant to be.
 
 #include <optional>
 #include <span>
@@ -9,7 +10,7 @@
 
 namespace holdfast {
 
-/// How a place lies to a surface.
+/// Tells how a place lies to a surface.
 struct Nearness {
   double distance = 0;          ///< model units
   bool isBetweenSides = false;  ///< another side of the surface is about as near, across the place
@@ -17,7 +18,7 @@ struct Nearness {
   friend bool operator==(const Nearness&, const Nearness&) = default;
 };
 
-/// A `near` place of an enabled constraint. One constraint may have two.
+/// An enabled constraint has this `near` place. One constraint may have two.
 struct NearPlace {
   Index constraint = 0;  ///< place in the list
   Vector3 place = Vector3::Zero();
@@ -26,16 +27,17 @@ struct NearPlace {
   friend bool operator==(const NearPlace&, const NearPlace&) = default;
 };
 
-/// That of `place`, whose closest point of the surface is at `closest`. `diagonal`: of the mesh. O(log T).
+/// Returns how `place` lies to the surface. Its closest point there is at `closest`. `diagonal` is that of the mesh.
+/// O(log T).
 [[nodiscard]] Nearness nearnessOf(const Vector3& place, const Vector3& closest, const SurfaceLocator& locator,
                                   double diagonal);
 
-/// The diagonal of the box around `places`, model units.
+/// Returns the diagonal of the box around `places`, in model units.
 [[nodiscard]] double spreadOf(std::span<const NearPlace> places);
 
-/// What would bring all of `places`, three or more, within `reach` of the surface: another unit, swapped or mirrored
-/// axes, as the end of a sentence; empty where nothing does. Costs about a search for each of 600 guesses, and one for
-/// each place where a guess holds.
+/// Says what would bring all of `places`, three or more, within `reach` of the surface: another unit, swapped or
+/// mirrored axes. Returns that as the end of a sentence. It is empty where nothing does. The cost is about a search for
+/// each of 600 guesses, and one for each place where a guess holds.
 [[nodiscard]] std::string guessOfPlaces(std::span<const NearPlace> places, const SurfaceLocator& locator, double reach);
 
 }  // namespace holdfast

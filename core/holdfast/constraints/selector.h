@@ -1,5 +1,5 @@
 #pragma once
-/// Selections on one mesh: what they select, or why they make no sense there.
+/// A selector tells what selections select on one mesh, or why they make no sense there.
 
 #include <holdfast/constraints/selection.h>
 #include <holdfast/surface/edge_graph.h>
@@ -7,7 +7,7 @@
 
 namespace holdfast {
 
-/// Selects vertices of one mesh. Both meshes stay alive as long as the selector.
+/// Selects vertices of one mesh. Both meshes must stay alive as long as the selector.
 class Selector {
  public:
   Selector(const Mesh& mesh, const SolverMesh& solverMesh, SurfaceLocator locator)
@@ -15,9 +15,10 @@ class Selector {
   {
   }
 
-  /// The vertices that `selection` names, ascending, each once. Throws `InputError` at `where` and the key at fault
-  /// (".any[1].vertices"): ids that the mesh does not have; curves through places that are not on the mesh, that do not
-  /// differ or lie on different parts, or that divide nothing; no vertex at all. O(N) per node, and what curves cost.
+  /// Returns the vertices that `selection` names, ascending, each once. Throws `InputError` at `where` and the key at
+  /// fault (".any[1].vertices"). It refuses ids that the mesh does not have, and a selection of no vertex at all. It
+  /// refuses curves through places that are not on the mesh, that do not differ, or that lie on different parts. It
+  /// refuses curves that divide nothing. O(N) per node, and what curves cost.
   [[nodiscard]] std::vector<Index> select(const Selection& selection, const InputLocation& where);
 
  private:

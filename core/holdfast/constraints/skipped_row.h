@@ -1,5 +1,5 @@
 #pragma once
-/// The rows of a point list that were left out.
+/// Rows of a point list may be left out.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace holdfast {
 
-/// A row of a point list that could not be read and was left out.
+/// This row of a point list could not be read and was left out.
 struct SkippedRow {
   Index line = 0;  ///< its line in the file, from 1
   std::string name;

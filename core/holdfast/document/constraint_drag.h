@@ -1,5 +1,5 @@
 #pragma once
-/// Points and handles that the user drags together.
+/// The user drags points and handles together.
 
 #include <optional>
 #include <span>
@@ -12,39 +12,42 @@
 
 namespace holdfast {
 
-/// One gesture on some constraints of a list, each motion measured from where it began. Handles that turn about what is
-/// fixed follow it from frame to frame (`followed`); but for these no motion is exactly the list that there was.
+/// A drag is one gesture on some constraints of a list. Each motion is measured from where the gesture began. Handles
+/// that turn about what is fixed follow it from frame to frame (`followed`). But for these, no motion gives exactly the
+/// list that there was.
 class ConstraintDrag {
  public:
   /// Enabled points and handles among `constraints` (places in the list) move. Throws `InputError` where one does not
-  /// fit the mesh; `source` names the list. `model` stays alive as long as this.
+  /// fit the mesh. `source` names the list. `model` must stay alive as long as the drag.
   ConstraintDrag(const Model& model, const ConstraintList& list, std::span<const Index> constraints,
                  const std::string& source);
 
   [[nodiscard]] bool isEmpty() const noexcept { return points_.empty() && handles_.empty(); }
   [[nodiscard]] bool hasHandles() const noexcept { return !handles_.empty(); }
-  /// A handle, or several points as a group.
+  /// Tells whether what moves can turn: a handle can, and so can several points as a group.
   [[nodiscard]] bool canRotate() const noexcept { return hasHandles() || points_.size() > 1; }
 
-  /// The middle of where all that moves is to be, model units. Something moves.
+  /// Returns the middle of where all that moves is to be, in model units. Something must move.
   [[nodiscard]] Vector3 center() const;
 
-  /// Axes of the first constraint that moves, right-handed orthonormal columns. Of a handle: the axes of the frame that
-  /// it goes to, else its `principalAxes` at rest, turned with it. Of a point: its `surfaceAxes` at `positions`.
+  /// Returns the axes of the first constraint that moves, as right-handed orthonormal columns. Those of a handle are
+  /// the axes of the frame that it goes to. Without a frame they are its `principalAxes` at rest, turned with it. Those
+  /// of a point are its `surfaceAxes` at `positions`.
   [[nodiscard]] Eigen::Matrix3d axes(const Positions& positions) const;
 
-  /// The centroid of all that is fixed; none where nothing is or no handle moves.
+  /// Returns the centroid of all that is fixed. Returns none where nothing is fixed or no handle moves.
   [[nodiscard]] std::optional<Vector3> fixedCenter() const
   {
     return handles_.empty() ? std::nullopt : handles_.front().setting.surroundings.fixedCenter;
   }
 
-  /// The list after the motion, the next frame of the gesture.
+  /// Returns the list after the motion, the next frame of the gesture.
   [[nodiscard]] ConstraintList movedBy(const RigidIncrement& increment);
 
-  /// Vertices of the file that handles move, and where `moved`, a list that `movedBy` gave, takes them: one row for
-  /// each. Throws as `placeHandle`. O(vertices).
+  /// Returns the vertices of the file that handles move. O(vertices).
   [[nodiscard]] std::vector<Index> handleVertices() const;
+  /// Returns where `moved` takes those vertices, one row for each. `moved` is a list that `movedBy` gave. Throws as
+  /// `placeHandle` does. O(vertices).
   [[nodiscard]] Positions handlePlaces(const ConstraintList& moved) const;
 
  private:
@@ -70,14 +73,14 @@ class ConstraintDrag {
   std::vector<DraggedHandle> handles_;
 };
 
-/// Points of one place of the surface.
+/// These points of the list lie at one place of the surface.
 struct SharedPlace {
   std::vector<Index> constraints;  ///< their places in the list, ascending; two or more
   Vector3 mean = Vector3::Zero();  ///< of where they go: a target on which all of them can agree
 };
 
-/// All points of `system` that are where `constraints` are. Nothing unless those are points of one place, two or more.
-/// O(rows).
+/// Returns all points of `system` that are where `constraints` are. Returns nothing unless those are two or more points
+/// of one place. O(rows).
 [[nodiscard]] std::optional<SharedPlace> sharedPlace(const ConstraintSystem& system,
                                                      std::span<const Index> constraints);
 

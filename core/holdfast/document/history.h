@@ -1,5 +1,6 @@
 #pragma once
-/// What a user edits, and the way back: values of the document before and after each edit, with a name.
+/// A history keeps what a user edits, and the way back. It has values of the document before and after each edit, with
+/// a name.
 
 #include <array>
 #include <cstddef>
@@ -17,83 +18,84 @@ namespace holdfast {
 
 class SurfaceLocator;
 
-/// Vertices that the user has kept under a name, to select them again.
+/// The user has kept these vertices under a name, to select them again.
 struct SavedSelection {
   std::string name;  ///< unique in its document, not empty
   Selection select;
 };
 
-/// What the user has measured, in the order in which it was made.
+/// Holds what the user has measured, in the order in which it was made.
 struct Measurements {
   std::vector<SurfaceLocation> probes;
   std::vector<std::array<SurfaceLocation, 2>> rulers;
 };
 
-/// Those of `measurements` whose places the mesh of `locator` has.
+/// Returns those of `measurements` whose places the mesh of `locator` has.
 [[nodiscard]] Measurements onMesh(const Measurements& measurements, const SurfaceLocator& locator);
 
-/// What a document keeps beside its constraints. No solution depends on it.
+/// A document keeps annotations beside its constraints. No solution depends on them.
 struct Annotations {
   std::vector<SavedSelection> selections;
   Measurements measurements;
 };
 
-/// All that edits change and undo brings back. The mesh is not part of it: another mesh is another document.
+/// The state holds all that edits change and undo brings back. The mesh is not part of it: another mesh is another
+/// document.
 struct DocumentState {
   ConstraintList list;
   DeformOptions options;
-  /// Never null. States between which it does not change share it.
+  /// This is never null. States between which it does not change share it.
   std::shared_ptr<const Annotations> annotations = std::make_shared<const Annotations>();
 };
 
-/// Whether an edit makes a document that is saved an unsaved one.
+/// Says whether an edit makes a document that is saved an unsaved one.
 enum class EditKind {
   OfDocument,
-  Aside  ///< a look at the document, which its file keeps once it is saved, and of which no user means to be asked
+  Aside  ///< a look at the document: its file keeps it once it is saved, and no user wants to be asked about it
 };
 
-/// The states of one document, oldest first. Undo brings back the very object that was there before. A gesture (a drag)
-/// is one edit however many states it goes through.
+/// A history keeps the states of one document, oldest first. Undo brings back the very object that was there before. A
+/// gesture (a drag) is one edit, however many states it goes through.
 class History {
  public:
   explicit History(DocumentState state);
 
-  /// The state that is shown, that of a gesture under way included. Never null.
+  /// Returns the state that is shown, that of a gesture under way included. It is never null.
   [[nodiscard]] std::shared_ptr<const DocumentState> state() const
   {
     return gesture_ ? gesture_->after : states_[position_].state;
   }
 
-  /// One edit, named for menus ("move P1"). What could be redone is gone. A gesture under way ends before it.
+  /// Makes one edit, named for menus ("move P1"). What could be redone is gone. A gesture under way ends before it.
   void edit(std::string name, DocumentState after, EditKind kind = EditKind::OfDocument);
 
-  /// One under way ends before it.
+  /// Begins a gesture. One that is under way ends before it.
   void beginGesture(std::string name);
-  /// A gesture is under way.
+  /// Shows `after` as the state of the gesture, which is under way.
   void updateGesture(DocumentState after);
-  /// Makes one edit of the gesture, or nothing where it was never updated, or there is none.
+  /// Makes one edit of the gesture. It makes none where the gesture was never updated, or where there is no gesture.
   void endGesture();
-  /// As if the gesture had not begun: the state is the object that it was.
+  /// Ends the gesture as if it had not begun: the state is the object that it was.
   void cancelGesture() { gesture_.reset(); }
   [[nodiscard]] bool isInGesture() const noexcept { return gesture_ != nullptr; }
 
-  /// Undo and redo end a gesture before they do their work; false where there is nothing to do.
+  /// Undo and redo end a gesture before they do their work. They return false where there is nothing to do.
   bool undo();
   bool redo();
   [[nodiscard]] bool canUndo() const noexcept { return position_ > 0; }
   [[nodiscard]] bool canRedo() const noexcept { return position_ + 1 < states_.size(); }
-  /// Names of the edits that undo and redo would affect; empty where there is none.
+  /// These return the names of the edits that undo and redo would affect. A name is empty where there is none.
   [[nodiscard]] std::string_view undoName() const { return canUndo() ? states_[position_].name : std::string_view(); }
   [[nodiscard]] std::string_view redoName() const
   {
     return canRedo() ? states_[position_ + 1].name : std::string_view();
   }
 
-  /// `state` is what the user's file holds.
+  /// Notes that the user's file holds `state`.
   void markSaved(std::shared_ptr<const DocumentState> state) noexcept { saved_ = std::move(state); }
-  /// The user's file holds no state, or there is none.
+  /// Notes that the user's file holds no state, or that there is no file.
   void markUnsaved() noexcept { saved_.reset(); }
-  /// Whether the user's file holds what is shown, apart from edits aside since.
+  /// Tells whether the user's file holds what is shown, apart from edits aside since.
   [[nodiscard]] bool isSaved() const;
 
  private:
@@ -115,7 +117,7 @@ class History {
   std::shared_ptr<const DocumentState> saved_;
 };
 
-/// Edits that can be undone at most; the oldest are forgotten beyond that.
+/// At most this many edits can be undone. The oldest are forgotten beyond that.
 inline constexpr std::size_t kLongestHistory = 1000;
 
 }  // namespace holdfast

@@ -1,5 +1,6 @@
 #pragma once
-/// Points as tables that spreadsheets know: from and for the clipboard, and looked at before they are taken in.
+/// These functions write and read points as tables that spreadsheets know, for the clipboard. They also look at points
+/// before they are taken in.
 
 #include <string>
 #include <string_view>
@@ -10,16 +11,18 @@
 
 namespace holdfast {
 
-/// The constraints at `indices`: where all are points a point list (docs/formats.md), else a constraint file, every
-/// double in its shortest exact form. In point lists a point lies at its `near` place or where it is at rest, a shift
-/// becomes a target, and none is disabled. Throws for points that the mesh does not have, and as `constraintsToJson`.
+/// Returns the constraints at `indices` as text, every double in its shortest exact form. Where all are points, the
+/// text is a point list (docs/formats.md), else a constraint file. In point lists a point lies at its `near` place, or
+/// where it is at rest. A shift becomes a target, and none is disabled. Throws for points that the mesh does not have,
+/// and as `constraintsToJson` does.
 [[nodiscard]] std::string toClipboardText(const ConstraintList& list, const std::vector<Index>& indices,
                                           const Model& model);
 
-/// The constraints of a constraint file, a session, a point list, or cells with tabs. Throws as `readConstraints`.
+/// Returns the constraints of a constraint file, a session, a point list, or cells with tabs. Throws as
+/// `readConstraints` does.
 [[nodiscard]] ConstraintList fromClipboardText(std::string_view text);
 
-/// One `near` point of the list. Lengths in model units, places on the mesh at rest.
+/// This is one `near` point of the list. Lengths are in model units, and places are on the mesh at rest.
 struct ImportedPoint {
   Index index = 0;  ///< place in the list
   Vector3 place = Vector3::Zero();

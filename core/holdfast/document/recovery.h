@@ -1,6 +1,6 @@
 #pragma once
-/// Copies of unsaved work that outlive a crash, one for each open document. A lock, which the operating system releases
-/// however a program ends, tells them from copies of running programs.
+/// Copies of unsaved work outlive a crash. Each open document has one. A lock tells them from copies of running
+/// programs. The operating system releases the lock however a program ends.
 
 #include <chrono>
 #include <filesystem>
@@ -14,10 +14,10 @@
 
 namespace holdfast {
 
-/// `holdfast/recovery` below $XDG_STATE_HOME, or below ~/.local/state.
+/// Returns `holdfast/recovery` below $XDG_STATE_HOME, or below ~/.local/state.
 [[nodiscard]] std::optional<std::filesystem::path> recoveryFolder();
 
-/// The copy of one open document.
+/// A recovery file is the copy of one open document.
 class RecoveryFile {
  public:
   /// `folder` is made when the first copy is written.
@@ -26,8 +26,9 @@ class RecoveryFile {
   RecoveryFile(const RecoveryFile&) = delete;
   RecoveryFile& operator=(const RecoveryFile&) = delete;
 
-  /// Puts a copy of `session` in the place of the last one. `originalPath` is where the session is saved, empty where
-  /// it is not yet; the mesh is named from there, or absolutely. Throws `OutputError`; the last copy stays then.
+  /// Puts a copy of `session` in the place of the last one. `originalPath` is where the session is saved, or empty
+  /// where it is not yet. The session names the mesh from there, or absolutely. Throws `OutputError`, and the last copy
+  /// stays then.
   void write(SessionFile session, const std::filesystem::path& originalPath);
 
   /// Removes the copy. The next `write` makes another.
@@ -47,10 +48,11 @@ struct Recoverable {
   std::string name;                            ///< for the user: of the session's file, or of the mesh's
 };
 
-/// The copies in `folder` whose programs are no more, the newest first; those that cannot be read are among them.
+/// Returns the copies in `folder` whose programs are no more, the newest first. Those that cannot be read are among
+/// them.
 [[nodiscard]] std::vector<Recoverable> recoverable(const std::filesystem::path& folder);
 
-/// Removes the copy for good. Harmless where another program has done so.
+/// Removes the copy for good. This is harmless where another program has done so.
 void discard(const Recoverable& copy) noexcept;
 
 }  // namespace holdfast

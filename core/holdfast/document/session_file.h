@@ -1,5 +1,6 @@
 #pragma once
-/// Sessions (`.holdfast`): a mesh, its constraints and how they are looked at. docs/formats.md describes every key.
+/// A session (`.holdfast`) keeps a mesh, its constraints and how they are looked at. docs/formats.md describes every
+/// key.
 
 #include <array>
 #include <filesystem>
@@ -22,7 +23,7 @@ struct MeshReference {
   friend bool operator==(const MeshReference&, const MeshReference&) = default;
 };
 
-/// Where the model is seen from, in model units.
+/// Says where the model is seen from, in model units.
 struct Camera {
   Vector3 position = Vector3::UnitZ();
   Vector3 focalPoint = Vector3::Zero();  ///< differs from `position`
@@ -33,10 +34,10 @@ struct Camera {
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-/// More say nothing of a double between 1 and 10.
+/// More decimals say nothing of a double between 1 and 10.
 inline constexpr int kMostLengthDecimals = 15;
 
-/// How the model is shown; the view chooses what is absent. Names are those of the view.
+/// Says how the model is shown. The view chooses what is absent. Names are those of the view.
 struct ViewState {
   std::optional<Camera> camera;
   std::optional<std::string> upAxis;  ///< of the model: "y", "z"
@@ -65,23 +66,26 @@ struct SessionFile {
   std::string original;  ///< of a copy that is kept against a crash: absolute path of the session; else empty
 };
 
-/// Throws `InputError` as `readConstraints` does, also for what a session has besides: no mesh, a path that is empty, a
-/// checksum of a kind that is not known, options that do not exist or that this build does not have.
+/// Reads a session. Throws `InputError` as `readConstraints` does, also for what a session has besides. It refuses a
+/// session without a mesh, a path that is empty, and a checksum of a kind that is not known. It refuses options that do
+/// not exist or that this build does not have.
 [[nodiscard]] SessionFile readSession(const std::filesystem::path& path);
 
-/// The same from text; `name` is that of the file in messages.
+/// Reads a session from text in the same way. Messages call the file `name`.
 [[nodiscard]] SessionFile parseSession(std::string_view text, const std::string& name);
 
-/// Reads back as `session`, every double in its shortest exact form. Throws `OutputError` for what no file can say.
+/// Returns text that reads back as `session`, every double in its shortest exact form. Throws `OutputError` for what no
+/// file can say.
 [[nodiscard]] std::string sessionToJson(const SessionFile& session);
 
-/// Throws `OutputError`; what stood there is untouched then.
+/// Writes the session to `path`. Throws `OutputError`, and what stood there is untouched then.
 void writeSession(const std::filesystem::path& path, const SessionFile& session);
 
-/// "fnv1a64:" and 16 digits: the 64-bit FNV-1a hash of the file's bytes. Throws `InputError`.
+/// Returns "fnv1a64:" and 16 digits: the 64-bit FNV-1a hash of the file's bytes. Throws `InputError`.
 [[nodiscard]] std::string checksumOfFile(const std::filesystem::path& path);
 
-/// The reference of a session at `session` to the mesh at `mesh`, neither of which need exist; its path is relative.
+/// Returns the reference of a session at `session` to the mesh at `mesh`. Neither of them need exist. The path of the
+/// reference is relative.
 [[nodiscard]] MeshReference referenceTo(const std::filesystem::path& mesh, const std::filesystem::path& session,
                                         std::string checksum);
 
@@ -97,16 +101,17 @@ struct ResolvedMesh {
   std::string message;  ///< for the user, of a mesh that is not the same: what is wrong, where, and what to do
 };
 
-/// Finds the mesh of the session at `sessionPath`, in its folder first. The same one goes before a changed one.
+/// Finds the mesh of the session at `sessionPath`, in its folder first. A mesh that is the same goes before a changed
+/// one.
 [[nodiscard]] ResolvedMesh resolveMesh(const SessionFile& session, const std::filesystem::path& sessionPath);
 
-/// What options may name, in the order in which messages list it.
+/// Options may name these, in the order in which messages list them.
 inline constexpr std::array kAllWeights{Weights::Cotangent, Weights::CotangentPaper, Weights::Uniform};
 inline constexpr std::array kAllSolvers{SolverKind::Hard, SolverKind::Soft, SolverKind::Lagrange};
 inline constexpr std::array kAllRotations{RotationSource::Given, RotationSource::Found, RotationSource::FoundSmooth};
 inline constexpr std::array kAllBackends{Backend::Holdfast, Backend::Cholmod, Backend::Eigen};
 
-/// Options of a deformation as a session or a command line states them: any of them may be left out.
+/// A session or a command line states these options of a deformation. Any of them may be left out.
 struct StatedOptions {
   std::optional<Weights> weights;
   std::optional<SolverKind> solver;
@@ -118,7 +123,7 @@ struct StatedOptions {
   std::optional<double> weldTolerance;
 };
 
-/// `options` with what is stated in place of their own.
+/// Returns `options` with what is stated in place of their own.
 [[nodiscard]] inline DeformOptions withStated(DeformOptions options, const StatedOptions& stated)
 {
   options.weights = stated.weights.value_or(options.weights);
@@ -138,8 +143,8 @@ struct StatedConstraints {
   std::vector<SkippedRow> skippedRows = {};  ///< of a point list
 };
 
-/// As `readConstraints`, with the options of a session. Throws `InputError` where bad rows are to be skipped of what is
-/// no point list.
+/// Reads constraints as `readConstraints` does, with the options of a session. Throws `InputError` where bad rows are
+/// to be skipped in a file that is no point list.
 [[nodiscard]] StatedConstraints readStatedConstraints(const std::filesystem::path& path,
                                                       BadRows badRows = BadRows::Refuse);
 

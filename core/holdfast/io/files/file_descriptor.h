@@ -1,5 +1,5 @@
 #pragma once
-/// An open file of the operating system that closes itself, and all of a text written to it.
+/// A `FileDescriptor` closes its open file by itself. Two functions write all of a text to it.
 
 #include <cerrno>
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace holdfast {
 
-/// Owns a file descriptor; -1 for none.
+/// Owns the descriptor of an open file of the operating system, and closes it. -1 means that there is none.
 class FileDescriptor {
  public:
   explicit FileDescriptor(int descriptor = -1) noexcept : descriptor_(descriptor) {}
@@ -26,11 +26,11 @@ class FileDescriptor {
   [[nodiscard]] int get() const noexcept { return descriptor_; }
   [[nodiscard]] bool isOpen() const noexcept { return descriptor_ >= 0; }
 
-  /// Closes it now. Returns 0, or the errno of a write that failed only then.
+  /// Closes the file now. Returns 0, or the errno of a write that failed only then.
   [[nodiscard]] int close() noexcept
   {
     if (descriptor_ < 0) return 0;
-    // Not tried again after EINTR: Linux has closed the descriptor by then.
+    // The close is not tried again after EINTR, because Linux has closed the descriptor by then.
     return ::close(std::exchange(descriptor_, -1)) == 0 || errno == EINTR ? 0 : errno;
   }
 
@@ -38,7 +38,7 @@ class FileDescriptor {
   int descriptor_;
 };
 
-/// Writes all of `bytes`. Returns 0, or an errno; part of the bytes may be written then.
+/// Writes all of `bytes`. Returns 0, or an errno. An error may leave part of the bytes written.
 [[nodiscard]] inline int writeAll(const FileDescriptor& file, std::string_view bytes) noexcept
 {
   while (!bytes.empty()) {
@@ -51,8 +51,8 @@ class FileDescriptor {
   return 0;
 }
 
-/// Writes all of `bytes` and closes the file. Returns 0, or an errno: some file systems say only now that they are
-/// full.
+/// Writes all of `bytes` and closes the file. Returns 0, or an errno. Some file systems say only at the close that they
+/// are full.
 [[nodiscard]] inline int writeAndClose(FileDescriptor file, std::string_view bytes) noexcept
 {
   const int writing = file.isOpen() ? writeAll(file, bytes) : errno;

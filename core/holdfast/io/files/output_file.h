@@ -1,5 +1,5 @@
 #pragma once
-/// Output files that are either whole or not there: written aside, then renamed.
+/// An output file is either whole or not there: it is written aside, then renamed.
 
 #include <filesystem>
 #include <memory>
@@ -8,14 +8,14 @@
 
 namespace holdfast {
 
-/// The bytes go to a temporary file beside `path`; `commit` puts it in place with one rename. Symbolic links are
-/// followed; a file that is replaced keeps its permissions. Devices, pipes, and the file that standard output or
-/// standard error already goes to, are written directly at `commit`. The temporary file is locked while the output is
-/// unfinished: the next output in the folder removes those that a killed program has left.
+/// An output file writes its bytes to a temporary file beside `path`. `commit` puts that in place with one rename.
+/// Symbolic links are followed, and a file that is replaced keeps its permissions. Devices and pipes are written
+/// directly at `commit`. So is the file that standard output or standard error already goes to. The temporary file is
+/// locked while the output is unfinished. The next output in the folder removes those that a killed program has left.
 class OutputFile {
  public:
-  /// Writes `bytes` aside and flushes them to disk. Throws `OutputError` (folder missing, not writable, disk full)
-  /// and leaves nothing behind then. O(bytes + files in the folder).
+  /// Writes `bytes` aside and flushes them to disk. Throws `OutputError` (folder missing, not writable, disk full), and
+  /// leaves nothing behind then. O(bytes + files in the folder).
   OutputFile(std::filesystem::path path, std::string_view bytes);
   ~OutputFile();
   OutputFile(OutputFile&&) noexcept;
@@ -24,10 +24,10 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   /// Puts the file in place, once. Throws `OutputError`. To write several files together, make all of them first, then
-  /// commit each, those that `isDirect` before the others: a device may be full, a rename hardly fails.
+  /// commit each. Commit those that are `isDirect` before the others: a device may be full, a rename hardly fails.
   void commit();
 
-  /// Whether the bytes go to a device, a pipe or a standard stream at `commit`, and not aside before.
+  /// Tells whether the bytes go to a device, a pipe or a standard stream at `commit`, and not aside before.
   [[nodiscard]] bool isDirect() const noexcept { return target_.empty(); }
 
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
@@ -43,10 +43,10 @@ class OutputFile {
   std::string direct_;                    // bytes for what is written directly
 };
 
-/// Outputs that `removeUnfinishedOutputs` can know of at a time; those beyond are removed by destructors alone.
+/// `removeUnfinishedOutputs` can know of this many outputs at a time. Destructors alone remove those beyond.
 inline constexpr int kTrackedOutputs = 32;
 
-/// Removes the temporary file of every `OutputFile` that is not yet committed. Safe to call from a signal handler.
+/// Removes the temporary file of every `OutputFile` that is not yet committed. A signal handler may call this.
 void removeUnfinishedOutputs() noexcept;
 
 }  // namespace holdfast

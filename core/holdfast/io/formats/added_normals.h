@@ -1,5 +1,5 @@
 #pragma once
-/// Lines for the normals that a file gets besides its own, and the references to them.
+/// These edits add lines for the normals that a file gets besides its own, and set the references to them.
 
 #include <holdfast/io/formats/stored_normals.h>
 
@@ -12,9 +12,10 @@ struct TextEdit {
   std::string replacement;
 };
 
-/// What puts `update.added` into the text, in ascending order. A line for a normal stands behind the last one that
-/// precedes the first face with it. References count on over new lines above them, so that those of all other corners
-/// name what they named before. Nothing where none was added, else O(size of the text).
+/// Returns the edits that put `update.added` into the text, in ascending order. The line of an added normal stands
+/// behind the last line of a normal before the first face with it. References count on over new lines above them, so
+/// that those of all other corners name what they named before. Returns nothing where no normal was added. Otherwise it
+/// costs O(size of the text).
 [[nodiscard]] std::vector<TextEdit> editsOfReferences(std::string_view bytes, const FileLayout& layout,
                                                       const NormalUpdate& update);
 

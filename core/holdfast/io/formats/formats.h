@@ -1,6 +1,6 @@
 #pragma once
-/// The mesh formats, in and out. `file` names the file in errors; every reader throws `InputError` with the line (text)
-/// or the byte (binary), and keeps all that the file says besides the mesh.
+/// These functions read and write the mesh formats. `file` names the file in errors. Every reader throws `InputError`
+/// with the line (text) or the byte (binary). It keeps all that the file says besides the mesh.
 
 #include <holdfast/io/mesh_document.h>
 #include <holdfast/io/text/byte_order.h>
@@ -8,31 +8,34 @@
 
 namespace holdfast {
 
-/// Wavefront OBJ.
+/// Reads Wavefront OBJ.
 [[nodiscard]] MeshDocument readObj(std::string bytes, const std::string& file);
 
-/// Object File Format (OFF, COFF, NOFF, CNOFF, STOFF and so on, in any case, or no keyword), one vertex or face a line.
+/// Reads the Object File Format, with one vertex or face a line. Its keyword may be OFF, COFF, NOFF, CNOFF, STOFF and
+/// so on, in any case. The keyword may also be missing.
 [[nodiscard]] MeshDocument readOff(std::string bytes, const std::string& file);
 
-/// PLY, text and binary of either byte order. Where there are no faces, they are the triangles of the strips in
-/// `tristrips`, separated by -1: corners k, k + 1, k + 2, every second one turned round, unless two are the same.
+/// Reads PLY, as text or binary of either byte order. Where there are no faces, the triangles of the strips in
+/// `tristrips` are the faces. Strips are separated by -1. A triangle has the corners k, k + 1, k + 2 of its strip, and
+/// every second one is turned round. Triangles with two equal corners are left out.
 [[nodiscard]] MeshDocument readPly(std::string bytes, const std::string& file);
 
-/// STL: three vertices for each facet. Binary if the size is what the count of facets calls for, whatever the first
-/// bytes say. Where the count was never filled in (0 or 2^32 - 1) the size gives it. Facets may have payloads of as
-/// many bytes as their attributes say.
+/// Reads STL, which has three vertices for each facet. The file is binary if its size is what the count of facets calls
+/// for, whatever the first bytes say. Where the count was never filled in (0 or 2^32 - 1), the size gives it. Facets
+/// may have payloads of as many bytes as their attributes say.
 [[nodiscard]] MeshDocument readStl(std::string bytes, const std::string& file);
 
-/// Throws the `InputError` of `readStl` where `head`, the beginning of a file of `size` bytes, shows already that the
-/// file cannot be STL. O(size of `head`).
+/// Throws the `InputError` of `readStl` where `head` shows already that the file cannot be STL. `head` is the beginning
+/// of a file of `size` bytes. O(size of `head`).
 void checkStlHead(std::string_view head, std::uintmax_t size, const std::string& file);
 
-/// The same of `readPly`.
+/// Throws the `InputError` of `readPly` where `head`, the beginning of a file, shows already that the file cannot be
+/// PLY. O(size of `head`).
 void checkPlyHead(std::string_view head, const std::string& file);
 
-/// Files made of the faces of `rest` and of other positions alone. PLY is binary little-endian with doubles. STL is
-/// binary, of the triangles that `triangulate` makes of `rest`, which are those that the solver sees; notes say what
-/// was rounded and split. Every face has three corners or more.
+/// These functions make files of the faces of `rest` and of other positions alone. PLY is binary little-endian with
+/// doubles. STL is binary. It has the triangles that `triangulate` makes of `rest`, which are those that the solver
+/// sees. Notes say what was rounded and split. Every face of `rest` has three corners or more.
 [[nodiscard]] Serialized writeObj(const Mesh& rest, const Positions& positions);
 [[nodiscard]] Serialized writeOff(const Mesh& rest, const Positions& positions);
 [[nodiscard]] Serialized writePly(const Mesh& rest, const Positions& positions);
@@ -42,12 +45,12 @@ void checkPlyHead(std::string_view head, const std::string& file);
 /// too large for a float.
 [[nodiscard]] Positions storedInStl(const Positions& positions, std::vector<std::string>& notes);
 
-/// What follows serves the readers: a file is written again as the bytes that were read, with other numbers in the
+/// What follows serves the readers. A file is written again as the bytes that were read, with other numbers in the
 /// places of coordinates and normals.
 
 enum class NumberType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float, Double };
 
-/// Bytes that a number takes in a binary file.
+/// Returns how many bytes a number takes in a binary file.
 [[nodiscard]] constexpr std::size_t sizeOf(NumberType type)
 {
   return std::array<std::size_t, 8>{1, 1, 2, 2, 4, 4, 4, 8}[static_cast<std::size_t>(type)];
@@ -58,19 +61,19 @@ enum class NumberType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float, Double
   return type < NumberType::Float;
 }
 
-/// Where a file says the three numbers of a vertex or of a stored normal, or one of them.
+/// A number place tells where a file says the three numbers of a vertex or of a stored normal, or one of them.
 struct NumberPlace {
   std::size_t offset = 0;  ///< in a text: before the blanks in front of the first number
   Index number = 0;        ///< 3 v + k for coordinate k of vertex v, -1 - (3 n + k) for that of normal n
 };
 
-/// What `FileLayout` and `NumberPlace` call component `k` of normal `n`.
+/// Returns what `FileLayout` and `NumberPlace` call component `k` of normal `n`.
 [[nodiscard]] constexpr Index normalNumber(Index n, Index k = 0)
 {
   return -1 - (3 * n + k);
 }
 
-/// Where a corner of a face names its normal.
+/// A normal reference tells where a corner of a face names its normal.
 struct NormalReference {
   std::size_t offset = 0;
   std::size_t size = 0;     ///< 0 where it names none
@@ -78,7 +81,7 @@ struct NormalReference {
   Index above = 0;          ///< how many normals the file has before its line
 };
 
-/// Where a file says what may change.
+/// A layout tells where a file says what may change.
 struct FileLayout {
   std::string extension;
   TextDialect dialect;
@@ -89,17 +92,19 @@ struct FileLayout {
   bool areTogether = true;                ///< each place has three numbers; else one
   std::vector<NumberPlace> numbers = {};  ///< ascending
   std::vector<int> normalOfCorner = {};   ///< of each corner of the faces: its stored normal, or -1
-  /// Of each corner of the faces of a file, in their order; null where the format has no such references.
+  /// Returns the reference of each corner of the faces of a file, in their order. The pointer is null where the format
+  /// has no such references.
   std::vector<NormalReference> (*referencesIn)(std::string_view bytes) = nullptr;
   Index normalCount = 0;
   std::vector<std::size_t> typeWords = {};      ///< where a header names types of coordinates that become double
   std::vector<std::string> notesOfMotion = {};  ///< what is to be said where a vertex moves
   std::vector<std::string> remarks = {};        ///< see `MeshDocument::remarks`
-  /// Rounds positions as the format stores them, and notes what that loses. Null where it holds doubles.
+  /// Rounds positions as the format stores them, and notes what that loses. The pointer is null where the format holds
+  /// doubles.
   Positions (*stored)(const Positions& positions, std::vector<std::string>& notes) = nullptr;
 };
 
-/// The document of a file that says `mesh`.
+/// Makes the document of a file that says `mesh`.
 [[nodiscard]] MeshDocument makeDocument(std::string bytes, FileLayout layout, Mesh mesh);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// The header of a PLY file: what elements follow, and what each of them is made of.
+/// The header of a PLY file says what elements follow, and what each of them is made of.
 
 #include <string_view>
 
@@ -22,9 +22,9 @@ struct PlyElement {
   Index line = 0;  ///< in the header
   std::vector<PlyProperty> properties;
 
-  /// Place of a property; -1 where there is none.
+  /// Returns the place of a property, or -1 where there is none.
   [[nodiscard]] Index find(std::string_view wanted) const;
-  /// Whether the rows are strips of triangles, as Stanford's scans have them.
+  /// Tells whether the rows are strips of triangles. Stanford's scans have such rows.
   [[nodiscard]] bool hasStrips() const { return name == "tristrips"; }
 };
 
@@ -35,15 +35,16 @@ struct PlyHeader {
   Index bodyLine = 1;
 
   [[nodiscard]] const PlyElement* find(std::string_view wanted) const;
-  /// `tristrips` where there is no `face` or none of its rows, else `face`; null where there is neither.
+  /// Returns `tristrips` where there is no `face` or none of its rows, else `face`. Returns null where there is
+  /// neither.
   [[nodiscard]] const PlyElement* surface() const;
 };
 
-/// Reads the first word of a PLY file. Throws `InputError` where it is another.
+/// Reads the first word of a PLY file. Throws `InputError` where it is another word.
 void requirePlyMagic(TextCursor cursor);
 
-/// Reads the header at the beginning of `bytes`; `file` names it in errors. Counts are as the file claims, not
-/// negative. Throws `InputError` with the line.
+/// Reads the header at the beginning of `bytes`. `file` names the file in errors. Counts are as the file claims, and
+/// not negative. Throws `InputError` with the line.
 [[nodiscard]] PlyHeader parsePlyHeader(std::string_view bytes, const std::string& file);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// The body of a PLY file as a sequence of values.
+/// A scanner reads the body of a PLY file as a sequence of values.
 
 #include <string>
 #include <string_view>
@@ -8,8 +8,9 @@
 
 namespace holdfast {
 
-/// The values in the body, one after the other: written as text, each row of an element on lines of its own, or as
-/// bytes of one order. Every call throws `InputError` with the line, or with the offset of the byte in the file.
+/// A scanner gives the values in the body one after the other. In a text each row of an element is on lines of its own.
+/// In a binary file the values are bytes of one order. Every call throws `InputError` with the line, or with the offset
+/// of the byte in the file.
 class PlyScanner {
  public:
   PlyScanner(std::string_view bytes, const std::string& file, const PlyHeader& header);
@@ -21,11 +22,11 @@ class PlyScanner {
   [[nodiscard]] Index integer(NumberType type, std::string_view what);
   void skip(NumberType type, Index count);
 
-  /// Throws where the rest of the file is too short for the rows of `element`, `rowBytes` each at least.
+  /// Throws where the rest of the file is too short for the rows of `element`. Each row takes `rowBytes` at least.
   void expectRoom(const PlyElement& element, std::size_t rowBytes) const;
 
-  /// What is odd about the bytes behind the last element; nothing where there are none. Throws where numbers follow in
-  /// a text, which are rows that the header does not count.
+  /// Says what is odd about the bytes behind the last element. Returns nothing where there are none. Throws where
+  /// numbers follow in a text: these are rows that the header does not count.
   [[nodiscard]] std::optional<std::string> endRemark();
 
   template <class... Args>
@@ -35,16 +36,16 @@ class PlyScanner {
   }
 
   [[nodiscard]] std::size_t offset() const { return cursor_.offset(); }
-  /// How many values of `property` the rest of the file has room for.
+  /// Returns how many values of `property` the rest of the file has room for.
   [[nodiscard]] Index mostValues(const PlyProperty& property) const
   {
     return static_cast<Index>((cursor_.remaining() + 1) / leastBytes(property.type));
   }
-  /// Bytes that a value takes at least, with what separates it from the next.
+  /// Returns how many bytes a value takes at least, with what separates it from the next.
   [[nodiscard]] std::size_t leastBytes(NumberType type) const { return isText_ ? 2 : sizeOf(type); }
 
  private:
-  /// Where a row went on in the next line, and what it lacked there.
+  /// A line break tells where a row went on in the next line, and what it lacked there.
   struct LineBreak {
     std::size_t offset;
     Index line;
@@ -53,7 +54,7 @@ class PlyScanner {
 
   [[noreturn]] void failWith(const std::string& reason) const;
   [[noreturn]] void failAtBreak();
-  /// The next value of the row, on this line or the next ones.
+  /// Returns the next value of the row, on this line or the next ones.
   std::string_view nextToken(std::string_view what);
   double taken(NumberType type);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers as bytes of either order.
+/// These functions turn numbers into bytes of either order, and back.
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ template <class Number>
                                       : std::string(bytes.rbegin(), bytes.rend());
 }
 
-/// Of exactly as many bytes as the number has.
+/// Returns the number that `bytes` hold. They are exactly as many as the number has.
 template <class Number>
 [[nodiscard]] Number fromBytes(std::string_view bytes, std::endian order)
 {

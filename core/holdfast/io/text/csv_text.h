@@ -1,5 +1,5 @@
 #pragma once
-/// Fields and records of CSV texts as RFC 4180 has them.
+/// These functions write fields and split records of CSV texts as RFC 4180 has them.
 
 #include <string>
 #include <string_view>
@@ -9,7 +9,8 @@
 
 namespace holdfast {
 
-/// `text` as one field: in double quotes where it holds a comma, a quote, a line end, or blanks at an end.
+/// Returns `text` as one field. It is in double quotes where it holds a comma, a quote, a line end, or blanks at an
+/// end.
 [[nodiscard]] std::string csvField(std::string_view text);
 
 struct CsvRecord {
@@ -17,10 +18,11 @@ struct CsvRecord {
   std::vector<std::string> fields;  ///< quotes taken off
 };
 
-/// Split at `separator` (a comma, a semicolon, a tab, or a blank for any number of blanks and tabs) and at line ends
-/// (LF, CRLF or CR); blank lines are skipped. A field in double quotes may hold separators, line ends, and quotes
-/// written twice; without commas other quotes are plain characters. `text` begins in line `firstLine` of the file.
-/// Throws `InputError` with the line where quotes are used otherwise.
+/// Splits the text at line ends (LF, CRLF or CR) into records, and these at `separator` into fields. The separator is a
+/// comma, a semicolon, a tab, or a blank. A blank stands for any number of blanks and tabs. Blank lines are skipped. A
+/// field in double quotes may hold separators, line ends, and quotes written twice. Where the separator is no comma,
+/// other quotes are plain characters. `text` begins in line `firstLine` of the file. Throws `InputError` with the line
+/// where quotes are used otherwise.
 [[nodiscard]] std::vector<CsvRecord> splitCsv(std::string_view text, std::string_view file, char separator = ',',
                                               Index firstLine = 1);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers as programs of all kinds write them into mesh files.
+/// These functions read numbers as programs of all kinds write them into mesh files.
 
 #include <string_view>
 
@@ -7,11 +7,12 @@
 
 namespace holdfast {
 
-/// As `parseNumber<double>`, and besides: a magnitude too small for a double is 0 with its sign; "1.#QNAN", "-1.#IND00"
-/// and "1.#INF", as old C libraries of Windows print them, are NaN and infinity; "1.5D+3" has an exponent of Fortran.
+/// Reads a number as `parseNumber<double>` does, and takes more. A magnitude too small for a double is 0 with its sign.
+/// "1.#QNAN", "-1.#IND00" and "1.#INF" are NaN and infinity, as old C libraries of Windows print them. "1.5D+3" has an
+/// exponent of Fortran.
 [[nodiscard]] ParsedNumber<double> parseLooseNumber(std::string_view token);
 
-/// Whether the '#' at `hash` belongs to a number like "1.#INF" and begins no comment.
+/// Tells whether the '#' at `hash` belongs to a number like "1.#INF" and begins no comment.
 [[nodiscard]] bool hasSpecialAt(std::string_view text, std::size_t hash);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers as text: read and written independently of the locale, so that a double survives to its last bit.
+/// Numbers are read and written as text independently of the locale, so that a double survives to its last bit.
 
 #include <array>
 #include <bit>
@@ -12,7 +12,7 @@
 
 namespace holdfast {
 
-/// What messages call the numbers of a point.
+/// Messages call the numbers of a point by these names.
 inline constexpr std::array<std::string_view, 3> kCoordinateNames{"coordinate x", "coordinate y", "coordinate z"};
 
 enum class NumberFault { None, NotANumber, OutOfRange };
@@ -24,8 +24,9 @@ struct ParsedNumber {
   NumberFault fault = NumberFault::None;
 };
 
-/// The whole `token` as a decimal number, a leading '+' accepted: an integer, or the nearest double, "nan" and "inf" in
-/// any case among them. A magnitude above the largest double or below half the smallest is `OutOfRange`.
+/// Reads the whole `token` as a decimal number, and accepts a leading '+'. The number is an integer or the nearest
+/// double. "nan" and "inf" in any case are doubles too. A magnitude above the largest double or below half the smallest
+/// is `OutOfRange`.
 template <class Number>
 [[nodiscard]] ParsedNumber<Number> parseNumber(std::string_view token)
 {
@@ -41,7 +42,7 @@ template <class Number>
   return parsed;
 }
 
-/// The shortest text that reads back as the same number.
+/// Holds the shortest text that reads back as the same number.
 class NumberText {
  public:
   template <class Number>
@@ -58,7 +59,7 @@ class NumberText {
   std::size_t size_ = 0;
 };
 
-/// Whether two doubles are the same to the last bit: -0.0 differs from 0.0, and a NaN is the same as itself.
+/// Tells whether two doubles are the same to the last bit. -0.0 differs from 0.0, and a NaN is the same as itself.
 [[nodiscard]] inline bool hasSameBits(double a, double b)
 {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
