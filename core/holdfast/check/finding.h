@@ -10,7 +10,7 @@
 
 namespace holdfast {
 
-/// One finding, and where it applies.
+/// A finding says what was found, and where it applies.
 ///
 ///     for (const Finding& finding : model.findings) {
 ///       std::cerr << finding.message << '\n';
@@ -30,7 +30,7 @@ using Findings = std::vector<Finding>;
 /// A finding lists no more ids than this.
 inline constexpr std::size_t kMaxFindingIds = 20;
 
-/// The words that follow a count in a sentence: "1 " + one, "12 " + many.
+/// These words follow a count in a sentence: "1 " + one, "12 " + many.
 struct CountedWords {
   std::string one;
   std::string many;

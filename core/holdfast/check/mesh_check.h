@@ -1,5 +1,5 @@
 #pragma once
-/// What may be wrong with a mesh, found before anything is factorised. docs/errors.md lists the kinds.
+/// These checks find what may be wrong with a mesh, before anything is factorised. docs/errors.md lists the kinds.
 
 #include <vector>
 
@@ -13,20 +13,22 @@ namespace holdfast {
 /// A smallest angle below this makes a triangle a needle.
 inline constexpr double kNeedleDegrees = 1;
 
-/// Vertices of the surface with a coordinate that is NaN or infinite; nothing else may be asked of a mesh that has
-/// such. O(N + corners).
+/// Finds the vertices of the surface with a coordinate that is NaN or infinite. Nothing else may be asked of a mesh
+/// that has such. O(N + corners).
 [[nodiscard]] std::vector<Finding> findNonFinite(const Mesh& mesh);
 
-/// Everything else, in a fixed order.
+/// Finds everything else, in a fixed order.
 [[nodiscard]] std::vector<Finding> checkMesh(const Mesh& mesh, const Triangulation& triangulation,
                                              const SolverMesh& solverMesh);
 
-/// Vertices where a guard of the weights acted, in those of the surface and in those of its rotations.
+/// Finds the vertices where a guard of the weights acted. The first call is for the weights of the surface, the second
+/// for those of its rotations.
 [[nodiscard]] std::vector<Finding> guardFindings(const Operators& operators, const SolverMesh& solverMesh);
 [[nodiscard]] std::vector<Finding> guardFindings(const RotationWeights& weights, const SolverMesh& solverMesh);
 
-/// Whether the mesh is the skin of something: every edge has two triangles, which run through it in opposite ways, and
-/// every connected part encloses a positive volume at rest. True where there are no triangles. O(T log T).
+/// Tells whether the mesh is the skin of something. Then every edge has two triangles, which run through it in opposite
+/// ways, and every connected part encloses a positive volume at rest. The result is true where there are no triangles.
+/// O(T log T).
 [[nodiscard]] bool isSolid(const SolverMesh& mesh);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// Multifrontal factorisation (Duff and Reid, 1983; Liu, 1992): Cholesky's, but for signs.
+/// The multifrontal factorisation (Duff and Reid, 1983; Liu, 1992) is Cholesky's, but for signs.
 
 #include <memory>
 
@@ -8,9 +8,9 @@
 
 namespace holdfast {
 
-/// L of the matrix whose lower triangle in the order of elimination is `lower`, with the pattern that `symbolic` was
-/// made of. Fails where a pivot does not have the sign of its column. The same bits for any number of threads. O(sum of
-/// width times height squared of supernodes).
+/// Returns L of the matrix whose lower triangle in the order of elimination is `lower`. `lower` has the pattern that
+/// `symbolic` was made of. Fails where a pivot does not have the sign of its column. The bits are the same for any
+/// number of threads. O(sum of width times height squared of supernodes).
 [[nodiscard]] Result<std::unique_ptr<const PackedFactor>> factorizeMultifrontal(
     const std::shared_ptr<const SymbolicFactor>& symbolic, SparseMatrix lower);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The structure of a supernodal factor L S L^T = P M P^T, found from the pattern of M alone. S is the identity where M
-/// is positive definite; the columns of multipliers have -1 in it.
+/// A symbolic factor is the structure of a supernodal factor L S L^T = P M P^T, found from the pattern of M alone. S is
+/// the identity where M is positive definite. The columns of multipliers have -1 in it.
 
 #include <cstdint>
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace holdfast {
 
-/// Neighbouring columns of L that are stored as one dense block: `width` columns, a triangle on top and below it the
-/// same rows for all of them.
+/// A supernode is neighbouring columns of L that are stored as one dense block. It has `width` columns, with a triangle
+/// on top. Below the triangle all of them have the same rows.
 struct Supernode {
   int firstColumn = 0;
   int width = 0;
@@ -24,7 +24,7 @@ struct Supernode {
   [[nodiscard]] int end() const noexcept { return firstColumn + width; }
 };
 
-/// Supernodes that can be computed one after the other while others compute other ranges.
+/// The supernodes of a range can be computed one after the other while others compute other ranges.
 struct SupernodeRange {
   int begin = 0;
   int end = 0;
@@ -36,39 +36,40 @@ struct SymbolicFactor {
   std::vector<int> rows;                   ///< of all supernodes, those of their columns first, ascending in each
   std::vector<std::vector<int>> children;  ///< of each supernode, ascending
 
-  /// The supernodes in ranges that do not depend on one another, each a set of whole subtrees, and behind them the
-  /// rest, which needs all of them. The same for any number of threads.
+  /// These ranges of supernodes do not depend on one another. Each is a set of whole subtrees. Behind them comes the
+  /// rest, `top`, which needs all of them. The ranges are the same for any number of threads.
   std::vector<SupernodeRange> subtrees;
   SupernodeRange top;
 
   [[nodiscard]] int size() const noexcept { return static_cast<int>(order.size()); }
-  /// Those below the triangle.
+  /// Returns the rows below the triangle.
   [[nodiscard]] std::span<const int> rowsOf(const Supernode& supernode) const
   {
     return {rows.data() + supernode.firstRow + supernode.width, static_cast<std::size_t>(supernode.rowCount)};
   }
-  /// The supernode of a column. O(log supernodes).
+  /// Returns the supernode of a column. O(log supernodes).
   [[nodiscard]] int supernodeOf(int column) const;
-  /// The supernodes of these columns and all their ancestors, ascending.
+  /// Returns the supernodes of these columns and all their ancestors, ascending.
   [[nodiscard]] std::vector<int> withAncestors(const std::vector<int>& columns) const;
-  /// The first column of `top`.
+  /// Returns the first column of `top`.
   [[nodiscard]] int topColumn() const;
-  /// Stored entries of L, those that supernodes add among them.
+  /// Returns how many entries of L are stored, those that supernodes add among them.
   [[nodiscard]] std::int64_t nonzeros() const;
-  /// Of the factorisation.
+  /// Returns how many floating-point operations the factorisation takes.
   [[nodiscard]] double flops() const;
   [[nodiscard]] bool hasMultipliers() const;
 };
 
-/// Of a supernode with so many columns and rows below them.
+/// Returns how many floating-point operations a supernode with so many columns, and rows below them, takes.
 [[nodiscard]] double flopsOf(double width, double rowCount);
 
-/// Analyses the lower triangle `lower` for an order of elimination that keeps fill low: `order[k]` is the column that
-/// comes k-th. Columns are reordered among those that are equally good. `lower` is in that order afterwards.
-/// O(entries + rows of supernodes).
+/// Analyses the lower triangle `lower` for an order of elimination that keeps fill low. `order[k]` is the column that
+/// comes k-th. Columns are reordered among those that are equally good. The call brings `lower` into the order of the
+/// result. O(entries + rows of supernodes).
 [[nodiscard]] SymbolicFactor analyze(SparseMatrix& lower, const std::vector<int>& order);
 
-/// Finds all that follows from `lower`, in the order of elimination, the columns of supernodes and the ranges.
+/// Finds all that follows from `lower`, the columns of supernodes and the ranges. `lower` is in the order of
+/// elimination.
 void complete(SymbolicFactor& factor, const SparseMatrix& lower);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// Triangular solves with the columns at the top of the tree, which do not fall apart into ranges.
+/// The columns at the top of the tree do not fall apart into ranges. They have triangular solves of their own.
 
 #include <span>
 #include <vector>
@@ -8,15 +8,16 @@
 
 namespace holdfast {
 
-/// Neighbouring columns of a supernode are a block. Its triangle is solved by the calling thread, what is below it by
-/// all, in parts that do not depend on their number: neither do the bits.
+/// Neighbouring columns of a supernode are a block. The calling thread solves its triangle. All threads work on what is
+/// below it, in parts that do not depend on their number. So the bits do not depend on it either.
 class TopSolve {
  public:
   TopSolve() = default;
-  /// The chunks of the top, in the order of elimination.
+  /// `chunks` are those of the top, in the order of elimination.
   explicit TopSolve(std::span<const FactorChunk> chunks);
 
-  /// L y = b and L^T z = y in these columns, and in those alone; `view` is of all rows. O(their numbers).
+  /// Solves L y = b, and `backward` L^T z = y, in these columns and in those alone. `view` is of all rows. O(numbers of
+  /// these columns).
   void forward(const SolveView& view) const;
   void backward(const SolveView& view) const;
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The inner loops of triangular solves.
+/// These functions are the inner loops of triangular solves.
 
 #include <cstddef>
 #include <cstdint>
@@ -7,11 +7,11 @@
 
 namespace holdfast {
 
-/// So many columns at most are one chunk: what they need of the solution stays in registers.
+/// A chunk has so many columns at most: what they need of the solution stays in registers.
 inline constexpr int kChunkWidth = 8;
 
-/// Neighbouring columns of one supernode. In memory: the triangle, by rows, `width` x `width`, with reciprocals on its
-/// diagonal; then the rows below, `width` numbers each.
+/// A chunk holds neighbouring columns of one supernode. In memory the triangle comes first, by rows, `width` x `width`,
+/// with reciprocals on its diagonal. Then come the rows below, `width` numbers each.
 struct FactorChunk {
   std::size_t offset = 0;
   int firstColumn = 0;
@@ -22,7 +22,7 @@ struct FactorChunk {
   bool hasTriangle = true;    ///< else numbers begin with the rows: solves take columns off these, or these off columns
 };
 
-/// What chunks are solved on. Rows are four numbers each.
+/// A view says what chunks are solved on. Rows are four numbers each.
 struct SolveView {
   const double* numbers = nullptr;  ///< of the factor
   const int* rows = nullptr;        ///< of its chunks
@@ -31,10 +31,10 @@ struct SolveView {
   int topColumn = 0;
 };
 
-/// L y = b over these chunks, one after the other: their columns are solved, rows below are reduced.
+/// Solves L y = b over these chunks, one after the other. It solves their columns and reduces the rows below.
 void solveForward(std::span<const FactorChunk> chunks, const SolveView& view);
 
-/// L^T z = y over these chunks, the last one first.
+/// Solves L^T z = y over these chunks, the last one first.
 void solveBackward(std::span<const FactorChunk> chunks, const SolveView& view);
 
 }  // namespace holdfast

@@ -5,8 +5,9 @@
 
 namespace holdfast {
 
-/// The diameter of the smallest sphere that holds all rows of `positions` (finite), in model units, to some 1e-12 of
-/// itself; 0 where there are none. That of a box is its diagonal, however it stands. Some ten passes over the rows.
+/// Returns the diameter of the smallest sphere that holds all rows of `positions` (finite), in model units. It is exact
+/// to some 1e-12 of itself, and 0 where there are no rows. The diameter of a box is its diagonal, however it stands.
+/// This takes some ten passes over the rows.
 [[nodiscard]] double enclosingDiameter(const Positions& positions);
 
 }  // namespace holdfast

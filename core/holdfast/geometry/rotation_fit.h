@@ -1,5 +1,5 @@
 #pragma once
-/// The rotation that fits two sets of points, or two directions: how a handle gets a rotation from its own frame.
+/// A rotation fits two sets of points, or two directions. So a handle gets a rotation from its own frame.
 
 #include <Eigen/Geometry>
 
@@ -12,21 +12,24 @@ struct RotationFit {
   bool isDetermined = false;                        ///< no other rotation fits as well
 };
 
-/// Squares of extents below this share of the largest count as zero: points within a millionth of their length from a
-/// line do not determine the rotation about it.
+/// Squares of extents below this share of the largest count as zero. So points within a millionth of their length from
+/// a line do not determine the rotation about it.
 inline constexpr double kRankOfFit = 1e-12;
 
-/// The rotation R that minimises the sum of |R (p_i - mean of p) - (t_i - mean of t)|^2 over the rows of `points` and
-/// `targets`: as many of each, finite, at least one (Kabsch, 1976; by singular values). Where points or targets lie on
-/// a line, R takes one line to the other by the shortest rotation; where all coincide, it is the identity. O(N).
+/// Returns the rotation R that minimises the sum of |R (p_i - mean of p) - (t_i - mean of t)|^2 over the rows of
+/// `points` and `targets`. It is found by singular values (Kabsch, 1976). There must be as many points as targets, at
+/// least one, and all must be finite. Where points or targets lie on a line, R takes one line to the other by the
+/// shortest rotation. Where all coincide, it is the identity. O(N).
 [[nodiscard]] RotationFit fitRotation(const Positions& points, const Positions& targets);
 
-/// The rotation R (of length 1) that minimises the sum of |R s - t|^2 for the covariance H = sum of t s^T, by Newton's
-/// method from `near`, of length 1. Where several fit, one that follows from `near`, which it is itself where H says
-/// nothing. Exact to a few units in the last place; `near` as it is, bit for bit, where it fits without rounding.
+/// Returns the rotation R (of length 1) that minimises the sum of |R s - t|^2 for the covariance H = sum of t s^T.
+/// Newton's method starts from `near`, of length 1. Where several rotations fit, R is one that follows from `near`.
+/// Where H says nothing, R is `near` itself. R is exact to a few units in the last place. Where `near` fits without
+/// rounding, R is `near` as it is, bit for bit.
 [[nodiscard]] Eigen::Quaterniond fittedRotation(const Eigen::Matrix3d& H, const Eigen::Quaterniond& near);
 
-/// The same among the rotations that follow from `near` by a turn about `axis`, of length 1 and in space.
+/// Returns the same among the rotations that follow from `near` by a turn about `axis`. The axis is of length 1 and in
+/// space.
 [[nodiscard]] Eigen::Quaterniond fittedRotationAbout(const Vector3& axis, const Eigen::Matrix3d& H,
                                                      const Eigen::Quaterniond& near);
 
@@ -35,8 +38,8 @@ struct DirectionTurn {
   bool isDetermined = false;                                     ///< false where the directions are opposite
 };
 
-/// The shortest rotation that takes the direction of `from` to that of `to` (neither zero, any lengths), about an axis
-/// that follows from `from` alone where they are opposite within rounding.
+/// Returns the shortest rotation that takes the direction of `from` to that of `to`. Neither may be zero, and they may
+/// have any lengths. Where they are opposite within rounding, the axis follows from `from` alone.
 [[nodiscard]] DirectionTurn shortestRotation(const Vector3& from, const Vector3& to);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// The edges of a set of triangles, each once, with the triangles on it.
+/// Half edges list the edges of a set of triangles, each once, with the triangles on it.
 
 #include <compare>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace holdfast {
 
-/// One side of one triangle, seen as half an edge. Numbers of 32 bits: lists of them are as fast as they are small.
+/// A half edge is one side of one triangle. Its numbers have 32 bits: lists of them are as fast as they are small.
 struct HalfEdge {
   int a = 0;  ///< the smaller vertex id of the edge
   int b = 0;  ///< the larger
@@ -21,8 +21,8 @@ struct HalfEdge {
   friend auto operator<=>(const HalfEdge&, const HalfEdge&) = default;
 };
 
-/// All half edges sorted by (a, b, triangle), so that those of one edge are side by side. Sides that join a vertex to
-/// itself are left out. O(T) where no vertex has many.
+/// Returns all half edges sorted by (a, b, triangle), so that those of one edge are side by side. Sides that join a
+/// vertex to itself are left out. O(T) where no vertex has many.
 [[nodiscard]] std::vector<HalfEdge> sortedHalfEdges(const std::vector<Triangle>& triangles);
 
 /// Calls `visit(std::span<const HalfEdge>)` once for each edge with its half edges.

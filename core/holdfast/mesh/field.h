@@ -8,7 +8,7 @@
 
 namespace holdfast {
 
-/// One array over the points or the faces of a mesh.
+/// A field holds one array over the points or the faces of a mesh.
 struct Field {
   std::string name;            ///< unique among its kind, not empty
   Index components = 1;        ///< how many numbers each point or face has: 1 for scalars, 3 for vectors

@@ -1,5 +1,5 @@
 #pragma once
-/// Lists of indices: what meets at each vertex of a mesh.
+/// Lists of indices say what meets at each vertex of a mesh.
 
 #include <algorithm>
 #include <numeric>
@@ -10,7 +10,7 @@
 
 namespace holdfast {
 
-/// Lists of any length, side by side in memory.
+/// The lists have any length, and lie side by side in memory.
 class IndexLists {
  public:
   /// `forEach(add)` calls `add(list, index)` for each entry. It is called twice, to count and to add.
@@ -26,7 +26,7 @@ class IndexLists {
 
   [[nodiscard]] Index size() const noexcept { return static_cast<Index>(starts_.size()) - 1; }
 
-  /// In the order in which they were added.
+  /// Returns the indices of a list, in the order in which they were added.
   [[nodiscard]] std::span<const Index> operator[](Index list) const
   {
     return {indices_.begin() + starts_[list], indices_.begin() + starts_[list + 1]};
@@ -37,7 +37,7 @@ class IndexLists {
   std::vector<Index> indices_;
 };
 
-/// The triangles at each vertex, ascending, each once. O(T + N).
+/// Returns the triangles at each vertex, ascending, each once. O(T + N).
 [[nodiscard]] inline IndexLists trianglesOfVertices(const std::vector<Triangle>& triangles, Index vertexCount)
 {
   return IndexLists(vertexCount, [&](const auto& add) {
@@ -47,7 +47,7 @@ class IndexLists {
   });
 }
 
-/// Ascending, each once.
+/// Returns the values ascending, each once.
 template <class Value>
 [[nodiscard]] std::vector<Value> sortedOnce(std::vector<Value> values)
 {

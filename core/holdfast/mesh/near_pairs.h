@@ -1,5 +1,5 @@
 #pragma once
-/// Vertices that lie close together.
+/// Near pairs are vertices that lie close together.
 
 #include <array>
 #include <span>
@@ -9,9 +9,9 @@
 
 namespace holdfast {
 
-/// All pairs of `vertices`, each of which is there once, whose distance is at most `distance` (above 0), the smaller id
-/// first, ascending. Positions are finite. O(n log n) where few lie in a ball of that radius; pairs closer than their
-/// doubles can say of a mesh of that size are none but for equal positions.
+/// Returns all pairs of `vertices` whose distance is at most `distance` (above 0). The smaller id of a pair comes
+/// first, and pairs ascend. Each vertex must be there once, and positions must be finite. O(n log n) where few lie in a
+/// ball of that radius. Below what doubles can say of a mesh of that size, only equal positions are pairs.
 [[nodiscard]] std::vector<std::array<int, 2>> nearPairs(const Positions& positions, std::span<const int> vertices,
                                                         double distance);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Normals of polygons, of vertices, and of groups of corners that share one.
+/// Polygons and vertices have normals, and so have groups of corners that share one.
 
 #include <span>
 #include <vector>
@@ -8,22 +8,24 @@
 
 namespace holdfast {
 
-/// Half the sum of p_i x p_(i+1) around `polygon`: its length is the area, its direction the normal by the right-hand
-/// rule. For a polygon that is not flat, that of its best-fitting plane; zero for fewer than three corners.
+/// Returns half the sum of p_i x p_(i+1) around `polygon`. Its length is the area, and its direction is the normal by
+/// the right-hand rule. For a polygon that is not flat, the normal is that of its best-fitting plane. The vector is
+/// zero for fewer than three corners.
 [[nodiscard]] Vector3 areaVector(const Positions& positions, std::span<const int> polygon);
 
-/// `vector` at unit length; zero where its length is zero or not finite.
+/// Returns `vector` at unit length. It is zero where the length of `vector` is zero or not finite.
 [[nodiscard]] Vector3 unitOrZero(const Vector3& vector);
 
-/// Normals of the same faces for changing positions: row n is the sum of the area vectors of the faces at those corners
-/// that `normalOfCorner` (one entry a corner of `faces`, -1 for none) gives the number n, made a unit vector; zero
-/// where it vanishes or is not finite. Over threads, with the same bits for any number of them.
+/// `AreaWeightedNormals` makes normals of the same faces for changing positions. Row n is the sum of area vectors, made
+/// a unit vector. They are those of the faces at the corners to which `normalOfCorner` gives the number n. It has one
+/// entry for each corner of `faces`, -1 for none. The row is zero where the sum vanishes or is not finite. The work
+/// goes over threads, with the same bits for any number of them.
 class AreaWeightedNormals {
  public:
-  /// For `count` normals; `faces` are to outlive it. O(corners).
+  /// Prepares `count` normals. `faces` must outlive this. O(corners).
   AreaWeightedNormals(const Polygons& faces, std::span<const int> normalOfCorner, Index count);
 
-  /// What it returns is overwritten by the next call. O(corners).
+  /// Returns the normals at `positions`. The next call overwrites them. O(corners).
   const Positions& at(const Positions& positions);
 
  private:
@@ -34,7 +36,7 @@ class AreaWeightedNormals {
   Positions normals_;
 };
 
-/// The same for positions that do not change.
+/// Returns the same for positions that do not change.
 [[nodiscard]] Positions areaWeightedNormals(const Positions& positions, const Polygons& faces,
                                             std::span<const int> normalOfCorner, Index count);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The matrix of the energy that is minimised.
+/// This is the matrix of the energy that is minimised.
 
 #include <memory>
 #include <utility>
@@ -9,8 +9,8 @@
 
 namespace holdfast {
 
-/// A of |A u - f|^2, m x n. Products with it and with its transpose are sums for each row of the result. diag(scale) S
-/// of a symmetric S is stored once; any other matrix twice, by columns and by rows.
+/// An energy matrix is A of |A u - f|^2, m x n. Products with it and with its transpose are sums for each row of the
+/// result. It stores diag(scale) S of a symmetric S once. It stores any other matrix twice, by columns and by rows.
 class EnergyMatrix {
  public:
   explicit EnergyMatrix(SparseMatrix A)
@@ -43,7 +43,7 @@ class EnergyMatrix {
       for (SparseRows::InnerIterator entry(rows_, k); entry; ++entry) visit(entry.col(), entry.value());
   }
 
-  /// The k-th row of A x, and of A^T f.
+  /// Returns the k-th row of A x. `columnTimes` returns that of A^T f.
   [[nodiscard]] Eigen::RowVector3d rowTimes(Index k, const Columns3& x) const
   {
     return isSymmetric() ? Eigen::RowVector3d(scale_[k] * gathered(*columns_, k, x)) : gathered(rows_, k, x);
@@ -55,7 +55,7 @@ class EnergyMatrix {
     return sum;
   }
 
-  /// A x, f - A x and A^T f. O(entries).
+  /// Returns A x. `residual` returns f - A x, and `transposeTimes` returns A^T f. O(entries).
   [[nodiscard]] Columns3 times(const Columns3& x) const
   {
     Columns3 result(rows(), 3);
@@ -75,7 +75,7 @@ class EnergyMatrix {
     return result;
   }
 
-  /// A, by columns. O(entries).
+  /// Returns A, by columns. O(entries).
   [[nodiscard]] SparseMatrix matrix() const { return isSymmetric() ? scaledRows(scale_, *columns_) : *columns_; }
 
  private:
@@ -93,7 +93,7 @@ inline void addProduct(ColumnSum& sum, const EnergyMatrix& A, const SparseMatrix
     A.forEachInColumn(n.row(), [&](Index row, double value) { sum.add(static_cast<int>(row), value * n.value()); });
 }
 
-/// A N, and A^T N. O(multiplications).
+/// Returns A N. `transposeProduct` returns A^T N. O(multiplications).
 [[nodiscard]] inline SparseMatrix product(const EnergyMatrix& A, const SparseMatrix& N)
 {
   return assembled<SparseMatrix>(A.rows(), N.cols(), [&](Index k, ColumnSum& sum) { addProduct(sum, A, N, k); });

@@ -1,5 +1,5 @@
 #pragma once
-/// Laplacians of a mesh from weights on its edges, equations (1) to (3).
+/// These functions make Laplacians of a mesh from weights on its edges, equations (1) to (3).
 
 #include <vector>
 
@@ -8,22 +8,24 @@
 
 namespace holdfast {
 
-/// A weight on the edge between two unknowns; each edge once, i < j.
+/// An edge weight is on the edge between two unknowns. Each edge has one, with i < j.
 struct EdgeWeight {
   int i = 0;
   int j = 0;
   double weight = 0;
 };
 
-/// Weight 1 on every edge, sorted by (i, j).
+/// Returns weight 1 on every edge, sorted by (i, j).
 [[nodiscard]] std::vector<EdgeWeight> unitEdgeWeights(const std::vector<Triangle>& triangles);
 
-/// cot alpha + cot beta on every edge, of the angles across it in the triangles on it (one at a boundary, more where
-/// the mesh is not a manifold), sorted by (i, j). `cotangents` holds those of each triangle.
+/// Returns cot alpha + cot beta on every edge, sorted by (i, j). The angles are those across the edge in the triangles
+/// on it. There is one at a boundary, and there are more than two where the mesh is not a manifold. `cotangents` holds
+/// those of each triangle.
 [[nodiscard]] std::vector<EdgeWeight> cotangentEdgeWeights(const std::vector<Triangle>& triangles,
                                                            const std::vector<CornerCotangents>& cotangents);
 
-/// n x n, symmetric, rows of sum zero: S_ij = -w_ij, S_ii = sum over j of w_ij. The weights are sorted by (i, j).
+/// Returns S, n x n and symmetric, with rows of sum zero: S_ij = -w_ij, S_ii = sum over j of w_ij. The weights are
+/// sorted by (i, j).
 [[nodiscard]] SparseMatrix stiffness(Index n, const std::vector<EdgeWeight>& weights);
 
 }  // namespace holdfast

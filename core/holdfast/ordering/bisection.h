@@ -1,5 +1,5 @@
 #pragma once
-/// A graph in two parts that few edges join.
+/// A bisection cuts a graph in two parts that few edges join.
 
 #include <array>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace holdfast {
 
-/// A graph in two parts, and what they weigh.
+/// A bisection holds the two parts of a graph, and what they weigh.
 struct Bisection {
   std::vector<std::uint8_t> side;  ///< of each vertex: 0 or 1
   std::vector<int> external;       ///< of each vertex: what its edges to the other side weigh
@@ -17,14 +17,14 @@ struct Bisection {
 
   /// Brings a vertex to the other side. O(edges of the vertex).
   void move(const Graph& graph, int vertex);
-  /// How much less is cut if this vertex moves.
+  /// Returns how much less is cut if this vertex moves.
   [[nodiscard]] int gain(const Graph& graph, int vertex) const { return 2 * external[vertex] - graph.degree[vertex]; }
 };
 
-/// Two parts, neither heavier than three fifths of the whole, unless single vertices are. Multilevel (Karypis and
-/// Kumar, 1998): the graph is coarsened until few vertices are left; from some of these a part grows; on the way back
-/// vertices move between the parts while that cuts less (Fiduccia and Mattheyses, 1982). O(edges), nearly. The same on
-/// every run.
+/// Cuts a graph in two parts. Neither is heavier than three fifths of the whole, unless single vertices are. The method
+/// is multilevel (Karypis and Kumar, 1998). The graph is coarsened until few vertices are left, and a part grows from
+/// some of these. On the way back vertices move between the parts while that cuts less (Fiduccia and Mattheyses, 1982).
+/// O(edges), nearly. Every run gives the same parts.
 [[nodiscard]] Bisection bisect(const Graph& graph);
 
 }  // namespace holdfast

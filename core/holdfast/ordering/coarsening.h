@@ -1,5 +1,5 @@
 #pragma once
-/// A graph with half as many vertices that is shaped like a given one.
+/// Coarsening makes a graph with half as many vertices that is shaped like a given one.
 
 #include <random>
 
@@ -7,7 +7,7 @@
 
 namespace holdfast {
 
-/// The same numbers everywhere: only the engine is used, no distribution of the standard library.
+/// This engine gives the same numbers everywhere. It is used alone, with no distribution of the standard library.
 using RandomNumbers = std::minstd_rand;
 
 struct CoarserGraph {
@@ -16,8 +16,8 @@ struct CoarserGraph {
 };
 
 /// Visits vertices in a random order and joins each with the free neighbour that its heaviest edge leads to (Karypis
-/// and Kumar, 1998), but none that weigh more than `mostWeight` together. Edges that then join the same ends are one,
-/// and weigh as much as they did together. O(edges).
+/// and Kumar, 1998). It joins none that weigh more than `mostWeight` together. Edges that then join the same ends
+/// become one, which weighs as much as they did together. O(edges).
 [[nodiscard]] CoarserGraph coarsened(const Graph& graph, int mostWeight, RandomNumbers& random);
 
 }  // namespace holdfast

@@ -1,11 +1,11 @@
 #pragma once
-/// Graphs that are cut in pieces.
+/// These graphs are cut in pieces.
 
 #include <vector>
 
 namespace holdfast {
 
-/// Vertices and edges with weights. Each edge is in the lists of both of its ends.
+/// A graph has vertices and edges with weights. Each edge is in the lists of both of its ends.
 struct Graph {
   std::vector<int> start{0};  ///< of the edges of each vertex, and the end
   std::vector<int> neighbour;

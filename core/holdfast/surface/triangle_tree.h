@@ -1,5 +1,5 @@
 #pragma once
-/// A tree of boxes around triangles.
+/// A triangle tree puts boxes around triangles.
 
 #include <array>
 #include <limits>
@@ -12,8 +12,8 @@
 
 namespace holdfast {
 
-/// Which triangles lie together: halved by their centers along the longer side, again and again. The boxes are apart
-/// from it, so that one tree serves the same triangles wherever they move.
+/// A triangle tree says which triangles lie together. It halves them by their centers along the longest side, again and
+/// again. The boxes are apart from it, so that one tree serves the same triangles wherever they move.
 class TriangleTree {
  public:
   struct Node {
@@ -25,17 +25,18 @@ class TriangleTree {
 
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
-  /// Finite positions. O(T log T).
+  /// Positions must be finite. O(T log T).
   TriangleTree(const Positions& positions, std::vector<Triangle> triangles);
 
   [[nodiscard]] const std::vector<Triangle>& triangles() const noexcept { return triangles_; }
 
-  /// The box of each node with the triangles at `positions`. O(T).
+  /// Returns the box of each node with the triangles at `positions`. O(T).
   [[nodiscard]] Boxes boxesAt(const Positions& positions) const;
   [[nodiscard]] Eigen::AlignedBox3d boxOf(Index triangle, const Positions& positions) const;
 
-  /// Calls `visit(triangle)` for the triangles of leaves that are met up to `limit`, at `entryOf(box, limit)`, about
-  /// from near to far, until it returns true. The limit may shrink on the way; `kNever` is not met.
+  /// Calls `visit(triangle)` for the triangles of leaves that are met up to `limit`, until it returns true. A box is
+  /// met at `entryOf(box, limit)`. Leaves come about from near to far. The limit may shrink on the way. A box at
+  /// `kNever` is not met.
   template <class Entry, class Visitor>
   void visit(const Boxes& boxes, const Entry& entryOf, const double& limit, Visitor&& visit) const
   {
@@ -68,15 +69,16 @@ class TriangleTree {
     }
   }
 
-  /// Two nodes whose triangles are to be compared, or one whose triangles are to be compared with one another.
+  /// A pair is two nodes whose triangles are to be compared. It may be one node twice, whose triangles are to be
+  /// compared with one another.
   using NodePair = std::pair<Index, Index>;
 
-  /// Pairs of nodes that cover all pairs of triangles whose boxes may meet, about as many as `wanted`: shares of the
-  /// work for `visitPairs`, the same on every run. None for an empty tree.
+  /// Returns pairs of nodes that cover all pairs of triangles whose boxes may meet, about as many as `wanted`. They are
+  /// shares of the work for `visitPairs`, the same on every run. An empty tree has none.
   [[nodiscard]] std::vector<NodePair> sharesOfPairs(const Boxes& boxes, std::size_t wanted) const;
 
   /// Calls `visit(s, t)` once for each two triangles below `pair` that lie in leaves whose boxes meet. Looks at `most`
-  /// pairs of nodes at most; returns at how many.
+  /// pairs of nodes at most. Returns at how many it looked.
   template <class Visitor>
   std::size_t visitPairs(const Boxes& boxes, NodePair pair, std::size_t most, Visitor&& visit) const
   {
@@ -106,7 +108,7 @@ class TriangleTree {
   {
     return nodes_[pair.first].second == 0 && nodes_[pair.second].second == 0;
   }
-  /// Adds to `pairs` those that `pair`, not two leaves, falls apart into, if their boxes meet.
+  /// Adds to `pairs` those that `pair` falls apart into, if their boxes meet. `pair` must not be two leaves.
   void split(const Boxes& boxes, NodePair pair, std::vector<NodePair>& pairs) const;
 
   std::vector<Triangle> triangles_;
