@@ -1,5 +1,5 @@
 #pragma once
-/// What holdfast-batch is asked for, does and says.
+/// Reads what holdfast-batch is asked for, does it, and says what came of it.
 
 #include <functional>
 #include <span>
@@ -14,7 +14,7 @@
 
 namespace holdfast::batch {
 
-/// What `--snapshot`, `--color-by` and `--size` say. `path` is empty for no picture.
+/// The values of `--snapshot`, `--color-by` and `--size`. `path` is empty if no picture is wanted.
 struct PictureRequest {
   std::string path;
   std::string colorBy = "displacement";
@@ -43,43 +43,49 @@ class UsageError : public std::runtime_error {
 /// docs/errors.md explains them.
 enum ExitCode : int { kAllMet = 0, kUsage = 2, kInput = 3, kConflicts = 4, kNumerical = 5, kOutput = 6, kBug = 70 };
 
-/// They throw `InputError` and `OutputError`; numerical failure and conflicts are in the exit code.
+/// Runs a command. This function and the next throw `InputError` and `OutputError`. Numerical failure and conflicts are
+/// in the exit code.
 [[nodiscard]] ExitCode runDeform(const Command& command);
 [[nodiscard]] ExitCode runCheck(const Command& command);
 
-/// One of these, or printing help. Throws `UsageError`, also for outputs with one name or with that of an input.
+/// Returns a call of `runDeform` or `runCheck`, or one that prints help. Throws `UsageError`, also if two outputs have
+/// one name or an output has the name of an input.
 [[nodiscard]] std::function<ExitCode()> parseCommandLine(int argc, const char* const* argv);
 
-/// The extensions that this build reads as one text for people: ".obj, .ply, ...".
+/// Returns the extensions that this build reads, as one text for people: ".obj, .ply, ...".
 [[nodiscard]] std::string knownFormats();
-/// The values of `--color-by` in the same way; empty in a build without VTK.
+/// Returns the values of `--color-by` in the same way. The text is empty in a build without VTK.
 [[nodiscard]] std::string knownColorings();
 
 /// Throws `UsageError` unless this build can write the outputs under these names and with these options.
 void requireFormats(const Command& command);
 
-/// Throws `OutputError` if no picture can be drawn here. Costs about a tenth of a second.
+/// Throws `OutputError` if no picture can be drawn here. This takes about a tenth of a second.
 void requireDisplay(const PictureRequest& picture);
 
 [[nodiscard]] MeshDocument readMeshFile(const std::string& path);
 
-/// The bytes of a mesh file, of fields over `mesh` at `positions` (VTP), of a picture (PNG). Throw `OutputError`.
+/// Returns the bytes of a mesh file. The next two functions return the bytes of fields over `mesh` at `positions`
+/// (VTP), and of a picture (PNG). All three throw `OutputError`.
 [[nodiscard]] Serialized serializeMeshFile(const MeshDocument& document, const Positions& positions,
                                            const std::string& path);
 [[nodiscard]] Serialized serializeFields(const Mesh& mesh, const Positions& positions, std::span<const Field> fields);
 [[nodiscard]] std::string snapshot(const PictureRequest& picture, const Model& model, const DeformResult& deformation,
                                    const std::string& units);
 
-/// The mesh and its findings, the constraints in numbers, the solve, and which constraints pull hardest.
+/// Returns a summary: the mesh and its findings, the constraints in numbers, the solve, and which constraints pull
+/// hardest.
 [[nodiscard]] std::string summary(const Report& report, const std::string& meshName, const std::string& units);
 
-/// For standard error: a line for each row of the point list `source` that was left out.
+/// Returns a line for each row of the point list `source` that was left out, for standard error.
 [[nodiscard]] std::string skippedLines(const Report& report, const std::string& source);
 
-/// For standard error: doubtful findings, the first few conflict sets with gap and repairs, why solving failed.
+/// Returns messages for standard error: doubtful findings, the first few conflict sets with gap and repairs, and why
+/// solving failed.
 [[nodiscard]] std::string messageLines(const Report& report, const std::string& units);
 
-/// The options that come from the session `source` because they were not asked for. Empty if there are none.
+/// Returns a line with the options that come from the session `source` because they were not asked for. It is empty if
+/// there are none.
 [[nodiscard]] std::string optionsLine(const StatedOptions& asked, const StatedOptions& session,
                                       const std::string& source);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A tree of rows with commands: a menu by a right click, and keys while the tree has the focus.
+/// A tree of rows with commands. A right click opens their menu, and their keys work while the tree has the focus.
 
 #include <QTreeWidget>
 #include <functional>
@@ -14,7 +14,7 @@ class CommandTree : public QTreeWidget {
  public:
   CommandTree();
 
-  /// `keys` are this command's while the tree has the focus, whatever menus use them for.
+  /// Adds a command. While the tree has the focus, `keys` belong to this command, whatever menus use them for.
   QAction* addCommand(const QString& text, const char* name, const QString& tip, const QKeySequence& keys,
                       const std::function<void()>& run);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Icons that are drawn, so they are sharp on every screen and follow the palette.
+/// Draws icons, which are therefore sharp on every screen and follow the palette.
 
 #include <QIcon>
 #include <QPainterPath>
@@ -28,16 +28,17 @@ enum class Sign {
   Through
 };
 
-/// In the colour of the palette's text, faint where disabled.
+/// Returns an icon in the colour of the palette's text. It is faint where it is disabled.
 [[nodiscard]] QIcon iconOf(Sign sign, const QPalette& palette);
 
-/// Of the program: a surface that a point holds.
+/// Returns the icon of the program: a surface that a point holds.
 [[nodiscard]] QIcon programIcon();
 
-/// `draw` draws it on a square of this side.
+/// Returns an icon that `draw` draws on a square of this side.
 [[nodiscard]] QIcon drawnIcon(double side, std::function<void(QPainter& painter, QIcon::Mode mode)> draw);
 
-/// Commands of SVG paths with absolute coordinates (M x y, L x y, C x y x y x y, Z); and O x y r for a circle.
+/// Returns the path that `text` describes. The text has commands of SVG paths with absolute coordinates (M x y, L x y,
+/// C x y x y x y, Z). Besides, O x y r is a circle.
 [[nodiscard]] QPainterPath drawnPath(const char* text);
 
 }  // namespace holdfast

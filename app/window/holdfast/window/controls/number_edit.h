@@ -1,5 +1,5 @@
 #pragma once
-/// Lines to type numbers into, with all their digits.
+/// Offers lines into which a user types numbers, with all their digits.
 
 #include <QLineEdit>
 #include <array>
@@ -9,25 +9,27 @@
 
 namespace holdfast {
 
-/// A number with its shortest exact text. Leaving the line or Enter enters another number; Escape restores the last.
+/// The line shows a number as its shortest exact text. Enter, or leaving the line, enters another number. Escape
+/// restores the last one.
 class NumberEdit : public QLineEdit {
   Q_OBJECT
 
  public:
   explicit NumberEdit(QWidget* parent = nullptr);
 
-  /// Shows a number, or that there are several: "mixed". Does not disturb a user who is typing.
+  /// Shows a number, or "mixed" if there are several. It does not disturb a user who is typing.
   void setNumber(std::optional<double> number);
   [[nodiscard]] std::optional<double> typed() const { return typedNumber(text()); }
+  /// Shows a number in place of what the user has typed.
   void replaceTyped(std::optional<double> number);
 
   [[nodiscard]] QSize sizeHint() const override;
 
  Q_SIGNALS:
   void entered(double number);
-  /// The text is no number; the line shows it as long as it has the focus.
+  /// The text is no number. The line shows it as long as it has the focus.
   void refused(const QString& reason);
-  /// The user types a number, or the line has its last one again: what was refused is not there any more.
+  /// The user types a number, or the line has its last one again. What was refused is not there any more.
   void righted();
 
  protected:
@@ -47,7 +49,7 @@ class VectorEdit : public QWidget {
  public:
   using Numbers = std::array<std::optional<double>, 3>;
 
-  /// Lines are called `name` + "X", ... for scripts, and `title` + " x", ... for screen readers.
+  /// Makes three lines. They are called `name` + "X", ... for scripts, and `title` + " x", ... for screen readers.
   VectorEdit(const QString& name, const QString& title, QWidget* parent = nullptr);
 
   void setNumbers(const Numbers& numbers)

@@ -1,6 +1,6 @@
 #pragma once
-/// What panels and dialogs are put together from, Qt's most used widgets included. Widgets are returned without a
-/// parent: a layout takes them.
+/// The parts of panels and dialogs. This header also includes Qt's most used widgets. Functions return widgets without
+/// a parent: a layout takes them.
 
 #include <QFrame>
 #include <QGridLayout>
@@ -23,7 +23,7 @@ Object* named(Object* object, const QString& name)
   return object;
 }
 
-/// `spoken`: for screen readers.
+/// Names a widget. Screen readers read `spoken`.
 template <class Widget>
 Widget* named(Widget* widget, const QString& name, const QString& spoken)
 {
@@ -31,16 +31,17 @@ Widget* named(Widget* widget, const QString& name, const QString& spoken)
   return named(widget, name);
 }
 
-/// Lines of plain text that can be selected with the mouse.
+/// Returns lines of plain text that can be selected with the mouse.
 [[nodiscard]] QLabel* newText(const QString& name);
 
-/// A tool tip with texts from outside, such as names and paths. Qt would show what looks like HTML as such.
+/// Returns a tool tip for texts from outside, such as names and paths. Without it, Qt would show a text that looks like
+/// HTML as HTML.
 [[nodiscard]] QString plainTip(const QString& text);
 
-/// `content` without a frame, scrolled if it needs more room.
+/// Returns an area without a frame that scrolls `content` if it needs more room.
 [[nodiscard]] QScrollArea* newScrollArea(QWidget* content, const QString& spoken);
 
-/// A column or a row of widgets (`QVBoxLayout`, `QHBoxLayout`) with the same margin at all sides.
+/// Lays out widgets in a column or a row (`QVBoxLayout`, `QHBoxLayout`), with the same margin at all sides.
 template <class Layout>
 Layout* newLayout(QWidget* owner, int margin, int spacing, std::initializer_list<QWidget*> widgets = {})
 {
@@ -51,23 +52,23 @@ Layout* newLayout(QWidget* owner, int margin, int spacing, std::initializer_list
   return layout;
 }
 
-/// Less important than other texts, or as they are.
+/// Makes a text look less important than other texts, or as important as they are.
 void setQuiet(QWidget& text, bool isQuiet);
 
 void fill(QWidget& panel, QWidget* content);
 
-/// Rows without lines between them, in two alternating colours.
+/// Shows rows in two alternating colours, without lines between them.
 void setTableLook(QTableView& table);
 
 void showRefusal(QLabel& label, const QString& reason);
 
-/// A panel that follows what it shows while it is seen, and catches up when it comes into view.
+/// A panel that follows what it shows while the user sees it. It catches up when it comes into view.
 class RefreshedPanel : public QWidget {
  protected:
   void showEvent(QShowEvent* event) override;
 
  private:
-  /// Does nothing that takes long while the panel is hidden.
+  /// Follows what the panel shows. While the panel is hidden, it does nothing that takes long.
   virtual void refresh() = 0;
 };
 
@@ -82,7 +83,7 @@ class HintedContent : public QStackedWidget {
   QLabel* hint_;
 };
 
-/// A framed piece of text with an icon, a title and buttons: a conflict, or a finding.
+/// A card is a framed piece of text with an icon, a title and buttons. It shows a conflict or a finding.
 class Card : public QFrame {
   Q_OBJECT
 
@@ -92,7 +93,7 @@ class Card : public QFrame {
   void setIcon(const QIcon& icon);
   void setTitle(const QString& title) { title_->setText(title); }
   void setText(const QString& text);
-  /// Below the text, two side by side; every third has a line of its own.
+  /// Adds a button below the text. Two buttons are side by side; every third has a line of its own.
   QPushButton* addButton(const QString& text, const QString& name);
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
-/// How the status of a constraint looks everywhere: each one has a form of its own, and the colour of its glyphs.
+/// Says how the status of a constraint looks everywhere. Each status has a form of its own, and the colour of its
+/// glyphs.
 
 #include <QColor>
 #include <QIcon>
@@ -10,10 +11,11 @@
 
 namespace holdfast {
 
-/// For less important texts: between text and background, still readable.
+/// Returns a colour for less important texts. It is between those of text and background, and still readable.
 [[nodiscard]] QColor quietColor(const QPalette& palette);
 
-/// Readable on the palette's background. No status means that the constraint was not solved yet.
+/// Returns a colour that is readable on the palette's background. No status means that the constraint was not solved
+/// yet.
 [[nodiscard]] QColor statusColor(std::optional<ConstraintStatus> status, const QPalette& palette);
 
 [[nodiscard]] QIcon statusIcon(std::optional<ConstraintStatus> status, const QPalette& palette);

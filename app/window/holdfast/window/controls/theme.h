@@ -1,5 +1,5 @@
 #pragma once
-/// The light and the dark theme: colours of the window and of what VTK draws in it.
+/// Makes the light and the dark theme: colours of the window and of what VTK draws in it.
 
 #include <QPalette>
 
@@ -9,21 +9,21 @@ namespace holdfast {
 
 enum class Appearance { System, Light, Dark };
 
-/// Of the luminances of two colours, from 1 to 21, as WCAG 2.2 defines it.
+/// Returns the contrast of the luminances of two colours, from 1 to 21, as WCAG 2.2 defines it.
 [[nodiscard]] double contrast(const QColor& a, const QColor& b);
 
-/// For `System` that of the desktop.
+/// Returns the palette of this look; for `System` the palette of the desktop.
 [[nodiscard]] QPalette paletteOf(Appearance appearance);
 
-/// Gives the whole program this look; for `System` that of the desktop.
+/// Gives the whole program this look; for `System` the look of the desktop.
 void apply(Appearance appearance);
 
-/// Whether text is lighter than what it is written on.
+/// Tells whether text is lighter than what it is written on.
 [[nodiscard]] bool isDark(const QPalette& palette);
 
 [[nodiscard]] QColor toQColor(const Color& color);
 
-/// Of pictures inside panels.
+/// The colours of pictures inside panels.
 struct PictureColors {
   Color ground;  ///< as behind texts that are edited
   Color raised;  ///< a little off the ground

@@ -1,5 +1,5 @@
 #pragma once
-/// A picture of VTK in a window of Qt. Its interactor asks for pictures and draws none itself.
+/// Shows a picture of VTK in a window of Qt. Its interactor asks for pictures and draws none itself.
 
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -9,15 +9,16 @@
 
 namespace holdfast {
 
-/// Replaces VTK's adapter for mouse and wheel, which loses the pixel under the cursor on displays with a pixel ratio
-/// above 1, and shares of a notch of the wheel. The second press of a double click has a repeat count of 1.
+/// The view replaces VTK's adapter for mouse and wheel. That adapter loses the pixel under the cursor on displays with
+/// a pixel ratio above 1. It also loses shares of a notch of the wheel. The second press of a double click has a repeat
+/// count of 1.
 class VtkView : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
  public:
   explicit VtkView(QWidget* parent = nullptr);
 
-  /// Pixels of the render window for each of the widget's.
+  /// Returns the number of pixels of the render window for each pixel of the widget.
   [[nodiscard]] double pixelRatio() const { return devicePixelRatioF(); }
 
  Q_SIGNALS:

@@ -19,8 +19,8 @@ namespace holdfast {
 
 inline constexpr std::chrono::milliseconds kAutosaveDelay = std::chrono::seconds(2);
 
-/// Writes a copy of the editor's document on a thread of its own, a moment after a change and never in the middle of a
-/// gesture. Removes the copy when the document is saved or replaced, and when this is destroyed.
+/// Writes a copy of the editor's document on a thread of its own. It writes a moment after a change, never in the
+/// middle of a gesture. It removes the copy when the document is saved or replaced, and when it is destroyed itself.
 class Autosave : public QObject {
   Q_OBJECT
 
@@ -31,13 +31,13 @@ class Autosave : public QObject {
 
   /// Shows what crashed programs have left, if anything, without blocking.
   void offerRecovery();
-  /// Opens the copy, and removes it as soon as this document has a copy of its own.
+  /// Opens the copy as a document. It is removed as soon as this document has a copy of its own.
   void recover(const Recoverable& copy);
 
  Q_SIGNALS:
   /// A copy of the state that is shown is on the disk.
   void kept();
-  /// No copy can be kept; emitted once until one can. `reason` says why and what to do.
+  /// No copy can be kept. The signal comes once until one can. `reason` says why and what to do.
   void failed(const QString& reason);
 
  private:
@@ -61,7 +61,8 @@ class Autosave : public QObject {
   BackgroundJob job_;  // last: its thread uses what is above
 };
 
-/// One entry for each copy. `recover` gets the one that the user wants opened; the others are left for later.
+/// Makes a dialog with one entry for each copy. `recover` gets the copy that the user wants opened. The others are left
+/// for later.
 [[nodiscard]] QDialog* newRecoveryDialog(std::vector<Recoverable> copies,
                                          std::function<void(const Recoverable&)> recover, QWidget* parent = nullptr);
 

@@ -1,19 +1,20 @@
 #pragma once
-/// What is installed beside the program: the sample meshes and the manual.
+/// Finds what is installed beside the program: the sample meshes and the manual.
 
 #include <QString>
 #include <vector>
 
 namespace holdfast {
 
-/// Of "data/bracket.obj" or "docs/window.md": where it lies beside this program, installed or built; empty if nowhere.
+/// Returns where a file such as "data/bracket.obj" or "docs/window.md" lies beside this program, installed or built.
+/// The result is empty if the file is nowhere.
 [[nodiscard]] QString bundledFile(const QString& path);
 
-/// The folder of `file`, where files of the user's own may lie beside it; that of the user's documents instead where
-/// `file` is bundled with the program, or its folder cannot be written to.
+/// Returns the folder of `file`, where files of the user's own may lie beside it. If `file` is bundled with the
+/// program, or its folder cannot be written to, it returns the folder of the user's documents.
 [[nodiscard]] QString ownFolderBeside(const QString& file);
 
-/// A sample, all of it by absolute paths.
+/// A sample. All its paths are absolute.
 struct Example {
   QString title;
   QString mesh;
@@ -21,7 +22,7 @@ struct Example {
   QString picture;
 };
 
-/// Those that are there.
+/// Returns the samples whose mesh and constraints are there.
 [[nodiscard]] std::vector<Example> examples();
 
 }  // namespace holdfast

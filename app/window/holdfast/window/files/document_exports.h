@@ -1,5 +1,5 @@
 #pragma once
-/// What goes out of the open document besides sessions: meshes, fields, reports, constraints and pictures.
+/// Writes what goes out of the open document besides sessions: meshes, fields, reports, constraints and pictures.
 
 #include <QFileInfo>
 #include <QImage>
@@ -20,7 +20,7 @@
 
 namespace holdfast {
 
-/// How a picture shows the document; by default as `Scene` does.
+/// Says how a picture shows the document. By default it shows it as `Scene` does.
 struct PictureView {
   std::optional<Camera> camera;
   std::optional<Coloring> coloring;                  ///< none: one colour
@@ -31,8 +31,8 @@ struct PictureView {
   double pixelRatio = 1;    ///< of the screen's pixels to these
 };
 
-/// Writes what is shown, and asks before if that is older than the constraints or loses precision. Files are complete
-/// or absent. A box over `window` reports failures. Exports need an open document.
+/// Writes what is shown. It asks before if that is older than the constraints, or if a file loses precision. Files are
+/// complete or absent. A box over `window` reports failures. Exports need an open document.
 class DocumentExports : public QObject {
   Q_OBJECT
 
@@ -50,15 +50,15 @@ class DocumentExports : public QObject {
   void exportReport();
   void exportConstraints();
   void exportPicture();
-  /// Writes the picture as it is in the window without a question, beside the mesh or into the folder of the last
-  /// export, as the first of NAME.1.png, NAME.2.png ... that is not there.
+  /// Writes the picture as it is in the window, without asking for a name. The file is beside the mesh or in the folder
+  /// of the last export. Its name is the first of NAME.1.png, NAME.2.png ... that is not there.
   void savePicture();
   /// Puts the picture as it is in the window into the clipboard.
   void copyPicture();
   [[nodiscard]] bool isWriting() const noexcept { return job_.isRunning(); }
 
  Q_SIGNALS:
-  /// For the status line: "wrote bracket.ply".
+  /// An export is done. `what` is for the status line: "wrote bracket.ply".
   void done(const QString& what);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Opening, importing and saving: the files of the document, and what the user is asked about them.
+/// Opens, imports and saves the files of the document, and asks the user about them.
 
 #include <QWidget>
 #include <filesystem>
@@ -16,63 +16,69 @@
 
 namespace holdfast {
 
-/// The files of the editor's document. A box over `window` reports each failure, which leaves the document as it was.
+/// Opens and saves the editor's document. A box over `window` reports each failure, which leaves the document as it
+/// was.
 class DocumentFiles : public QObject {
   Q_OBJECT
 
  public:
   DocumentFiles(Editor& editor, QWidget* window);
 
-  /// Of lengths in meshes that are opened, which do not name one themselves.
+  /// Sets the unit of lengths in meshes that are opened. Meshes do not name a unit themselves.
   void setUnit(const QString& unit) { unit_ = unit.toStdString(); }
   /// Replaces `chooseFile`, for a program that drives the window.
   void setChooser(FileChooser chooser) { chooser_ = std::move(chooser); }
-  /// What sessions keep of the view; by default nothing.
+  /// Sets the function that returns what sessions keep of the view. By default they keep nothing.
   void setView(std::function<ViewState()> view) { view_ = std::move(view); }
 
-  /// Reads a mesh or a session (`.holdfast`) on a thread of its own, in place of what is being opened. Asks before
-  /// about unsaved changes, and about the mesh of a session if it is missing or has changed.
+  /// Reads a mesh or a session (`.holdfast`) on a thread of its own, in place of what is being opened. It asks before
+  /// about unsaved changes. It also asks about the mesh of a session if that is missing or has changed.
   void open(const QString& path);
   void openDialog();
-  /// As a document that was never saved.
+  /// Opens an example as a document that was never saved.
   void openExample(const Example& example);
-  /// Opens a copy that a crash has left, as unsaved work on what it is a copy of. `whenOpen` is called when it is.
+  /// Opens a copy that a crash has left, as unsaved work on the document that it is a copy of. It calls `whenOpen` when
+  /// the copy is open.
   void recover(const Recoverable& copy, std::function<void()> whenOpen);
-  /// Asks before about unsaved changes.
+  /// Closes the document. It asks before about unsaved changes.
   void close();
   [[nodiscard]] bool isOpening() const noexcept { return job_.isRunning(); }
 
   void importConstraints(const QString& path);
   void importDialog();
 
-  /// False if nothing was saved, by an error or by the user. There is an open document.
+  /// Saves the document. Returns false if nothing was saved, because of an error or because the user did not want it. A
+  /// document is open.
   bool save();
-  /// On a thread of its own. Edits made meanwhile stay unsaved; a request during a save is done after it.
+  /// Saves on a thread of its own. Edits made meanwhile stay unsaved. A request during a save is done after it.
   void saveInBackground() { beginSaving(sessionPath_.empty() ? askWhereToSave() : sessionPath_); }
   void saveAsInBackground() { beginSaving(askWhereToSave()); }
   [[nodiscard]] bool isSaving() const noexcept { return saving_.isRunning(); }
 
-  /// Asks about unsaved changes, if any, and saves them if the user wants. `action` comes next: "closing the window".
+  /// Asks about unsaved changes, if any, and saves them if the user wants. `action` says what comes next: "closing the
+  /// window". Returns false if that may not come.
   [[nodiscard]] bool maySaveBefore(const QString& action);
 
-  /// The file of the session; empty if the document was never saved.
+  /// Returns the file of the session; empty if the document was never saved.
   [[nodiscard]] const std::filesystem::path& sessionPath() const noexcept { return sessionPath_; }
-  /// The file name of the session, or of the mesh if there is none; empty without a document.
+  /// Returns the file name of the session, or of the mesh if there is no session. It is empty without a document.
   [[nodiscard]] QString name() const;
-  /// The open document as a session at `path`, but for constraints and options: copying many of them takes time.
+  /// Returns the open document as a session at `path`, without constraints and options: copying many of them takes
+  /// time.
   [[nodiscard]] SessionFile emptySessionAt(const std::filesystem::path& path) const
   {
     return {referenceTo(editor_.mesh().path, path, meshChecksum_), {}, view_(), ""};
   }
 
  Q_SIGNALS:
-  /// The view that the file has, after `Editor::opened`. Empty for a mesh.
+  /// A file was opened. `view` is the view that the file has; it is empty for a mesh. The signal comes after
+  /// `Editor::opened`.
   void viewOpened(const ViewState& view);
   void pathChanged();
   void done(const QString& what);
 
  private:
-  /// What is being opened, and what the files say of it.
+  /// Holds what is being opened, and what the files say of it.
   struct Opening {
     std::filesystem::path path;         // what is read
     std::filesystem::path sessionPath;  // what it is saved to; empty for a mesh

@@ -1,5 +1,5 @@
 #pragma once
-/// The constraints of a file, and what they would be in a document.
+/// Reads the constraints of a file, and tells what they would be in a document.
 
 #include <QString>
 #include <filesystem>
@@ -28,9 +28,9 @@ struct ImportContents {
   std::vector<std::string> newNames;  ///< one for each constraint of the list: what the document will call it
 };
 
-/// Reads a constraint file, or by `format` a point list; without a format that of the list is found. `present` has the
-/// names that are taken. A point list may have faulty rows, a constraint file may not. Throws as `readTextFile`,
-/// `readPointTable` and `readConstraints` do.
+/// Reads a constraint file or a point list. `format` is the format of the point list; without it, the function finds
+/// the format itself. `present` has the names that are taken. A point list may have faulty rows, a constraint file may
+/// not. Throws as `readTextFile`, `readPointTable` and `readConstraints` do.
 [[nodiscard]] ImportContents readImport(const std::filesystem::path& path,
                                         const std::optional<PointTableFormat>& format, const ConstraintList& present,
                                         const Model& model);

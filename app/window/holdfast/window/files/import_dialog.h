@@ -1,5 +1,5 @@
 #pragma once
-/// What the constraints of a file would do to the document, before they are taken in.
+/// Shows what the constraints of a file would do to the document, before they are taken in.
 
 #include <QDialog>
 #include <QWidget>
@@ -9,8 +9,9 @@
 
 namespace holdfast {
 
-/// Reads a constraint file or a point list on a thread of its own; what is ticked becomes one edit, at the end of the
-/// list. Points farther from the surface than a tolerance are left out at first. The editor has an open document.
+/// Makes a dialog that reads a constraint file or a point list on a thread of its own. What the user ticks becomes one
+/// edit, at the end of the list. Points farther from the surface than a tolerance are left out at first. The editor has
+/// an open document.
 [[nodiscard]] QDialog* newImportDialog(Editor& editor, const std::filesystem::path& path, QWidget* parent = nullptr);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// The preview of an import: what a file has, and what of it is ticked.
+/// Previews an import: what a file has, and what of it is ticked.
 
 #include <QAbstractTableModel>
 #include <vector>
@@ -8,31 +8,32 @@
 
 namespace holdfast {
 
-/// One row for each constraint or point of the file, in its order.
+/// The table has one row for each constraint or point of the file, in the order of the file.
 class ImportTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   enum Column { Name, Kind, Place, Goal, Distance, Where };
 
-  /// What rows are sorted by: numbers of distances, texts of the others.
+  /// The role of what rows are sorted by. Distances are sorted as numbers, other columns as texts.
   static constexpr int kSortRole = Qt::UserRole;
 
   [[nodiscard]] const ImportContents& contents() const { return contents_; }
 
-  /// Ticks what has no fault and lies within the tolerance, a length in the units of the mesh.
+  /// Shows other contents, and ticks what has no fault and lies within the tolerance. The tolerance is a length in the
+  /// units of the mesh.
   void setContents(ImportContents contents, double tolerance);
 
-  /// Ticks and unticks by the distance alone: what the user has ticked before is forgotten.
+  /// Sets the tolerance, and ticks and unticks by the distance alone. What the user has ticked before is forgotten.
   void setTolerance(double tolerance);
 
-  /// All that can be read, far ones and those with a fault, too.
+  /// Ticks or unticks all rows that can be read, including far ones and those with a fault.
   void tickAll(bool isTicked);
 
-  /// Places in the list.
+  /// Returns the ticked constraints as places in the list.
   [[nodiscard]] std::vector<Index> tickedConstraints() const;
   [[nodiscard]] Index faultyRows() const;
-  /// Points farther from the surface than the tolerance.
+  /// Counts the points that are farther from the surface than the tolerance.
   [[nodiscard]] Index farPoints() const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

@@ -1,5 +1,5 @@
 #pragma once
-/// What a job does, in a small dialog of its own.
+/// Shows what a job does in a small dialog of its own.
 
 #include <QString>
 #include <QWidget>
@@ -8,11 +8,11 @@
 
 namespace holdfast {
 
-/// What is done sooner needs no dialog, which would only flash.
+/// A job that is done sooner needs no dialog, which would only flash.
 inline constexpr int kMillisecondsWithoutProgress = 300;
 
-/// The steps of `job`, which runs, in a small dialog that can cancel it, once it takes longer than a moment. It goes
-/// with the job's end, before anything is said of that, and hides while another dialog of `window` is open.
+/// Shows the steps of `job`, which runs, once it takes longer than a moment. The small dialog can cancel the job. It
+/// closes when the job ends, before anything is said of that. It hides while another dialog of `window` is open.
 void showProgress(BackgroundJob& job, QWidget* window, const QString& title);
 
 }  // namespace holdfast

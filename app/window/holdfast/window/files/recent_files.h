@@ -1,5 +1,5 @@
 #pragma once
-/// The files that were open last, by their absolute paths, the latest first, in the user's settings.
+/// Keeps the files that were open last in the user's settings. Paths are absolute, and the latest file is first.
 
 #include <QImage>
 #include <QMenu>
@@ -13,19 +13,20 @@ inline constexpr int kMostRecentFiles = 10;
 void addRecentFile(const QString& path);
 void removeRecentFile(const QString& path);
 
-/// Twice as large as they are shown: for screens of high resolution.
+/// Pictures are kept twice as large as they are shown, for screens of high resolution.
 inline constexpr QSize kRecentPictureSize(320, 240);
-/// The middle of `picture` at that size.
+/// Returns the middle of `picture` at that size.
 [[nodiscard]] QImage fitted(const QImage& picture);
-/// The file of the picture that was kept of a recent file; it need not exist.
+/// Returns the file of the picture that was kept of a recent file. It need not exist.
 [[nodiscard]] QString recentPicture(const QString& path);
 /// Keeps what `path` looks like, and drops pictures of files that are not recent any more.
 void keepRecentPicture(const QString& path, const QImage& picture);
 
-/// The same name in the folder that was used last for this purpose ("export"); `suggestion` itself before the first.
+/// Returns the name of `suggestion` in the folder that was used last for this purpose, such as "export". Before the
+/// first use, and if that folder is gone, it returns `suggestion` itself.
 [[nodiscard]] QString inLastFolder(const QString& purpose, const QString& suggestion);
 void rememberFolder(const QString& purpose, const QString& path);
-/// All settings but the recent files.
+/// Forgets all settings but the recent files.
 void forgetSettings();
 
 /// Replaces the entries of `menu` by one for each file; `open` gets the path that the user chooses.

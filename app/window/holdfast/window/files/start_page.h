@@ -1,5 +1,5 @@
 #pragma once
-/// What the window shows while nothing is open: recent files, and the bundled examples.
+/// Shows recent files and the bundled examples while nothing is open.
 
 #include <QGridLayout>
 #include <QLabel>
@@ -12,7 +12,7 @@
 
 namespace holdfast {
 
-/// Buttons with pictures, as many beside one another as there is room for.
+/// The gallery shows buttons with pictures. As many are beside one another as there is room for.
 class Gallery : public QWidget {
  public:
   Gallery();
@@ -20,7 +20,8 @@ class Gallery : public QWidget {
   void clear();
   void add(const QString& title, const QString& tip, const QPixmap& picture, std::function<void()> open);
 
-  /// That of one button, not of the last row: what has become narrower is arranged anew.
+  /// Returns the minimum size of one button, not of the last row: a gallery that becomes narrower arranges its buttons
+  /// anew.
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  protected:
@@ -33,7 +34,7 @@ class Gallery : public QWidget {
   std::vector<QToolButton*> buttons_;
 };
 
-/// Covers its parent while no document is open.
+/// The start page covers its parent while no document is open.
 class StartPage : public QWidget {
   Q_OBJECT
 

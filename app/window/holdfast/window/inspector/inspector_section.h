@@ -1,5 +1,5 @@
 #pragma once
-/// One part of the inspector: what some kinds of constraints have in common, shown and edited.
+/// One part of the inspector. It shows and edits what some kinds of constraints have in common.
 
 #include <QComboBox>
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace holdfast {
 
-/// Shows the constraints of some rows and edits all of them at once.
+/// The section shows the constraints of some rows and edits all of them at once.
 class InspectorSection : public QWidget {
   Q_OBJECT
 
@@ -24,10 +24,11 @@ class InspectorSection : public QWidget {
   InspectorSection(Editor& editor, const QString& title);
 
   [[nodiscard]] virtual bool fits(const Constraint& constraint) const = 0;
-  /// One or more, which all fit.
+  /// Shows the constraints of `rows`: one or more, which all fit.
   void inspect(const Rows& rows);
 
-  /// Titles of all sections are equally wide, so that fields stand below one another.
+  /// Returns the width that the titles need. Titles of all sections are equally wide, so that fields stand below one
+  /// another.
   [[nodiscard]] int titleWidth() const;
   void setTitleWidth(int width)
   {
@@ -44,7 +45,8 @@ class InspectorSection : public QWidget {
   {
     for (const auto& refresh : refreshes_) refresh();
   }
-  /// Since the last call. If not, lines that only make sense together keep what was typed into them.
+  /// Tells whether the document or the rows have changed since the last call. If not, lines that only make sense
+  /// together keep what was typed into them.
   [[nodiscard]] bool isNews();
   void hideEvent(QHideEvent* event) override
   {
@@ -55,10 +57,11 @@ class InspectorSection : public QWidget {
   [[nodiscard]] const Rows& rows() const { return rows_; }
   [[nodiscard]] const Constraint& constraint(Index row) const { return editor_.list().constraints[row]; }
   [[nodiscard]] QString subject() const { return subjectOf(editor_, rows_); }
-  /// `change` may throw `InputError`, which is refused with its reason.
+  /// Changes the constraints by one edit. `change` may throw `InputError`; the section then emits `refused` with its
+  /// reason.
   void change(const QString& name, const Change& change);
 
-  /// What `read` gives for all rows; nothing if they differ or it gives nothing.
+  /// Returns what `read` gives for all rows. It returns nothing if the rows differ, or if `read` gives nothing for one.
   template <class Read>
   [[nodiscard]] std::optional<double> common(Read read) const
   {
@@ -82,21 +85,22 @@ class InspectorSection : public QWidget {
     return numbers;
   }
 
-  /// A field below the others, over the whole width if it has no title.
+  /// Adds a field below the others. A field without a title takes the whole width.
   void addRow(const QString& title, QWidget* field);
   [[nodiscard]] QLabel* addText(const QString& title, const QString& name);
-  /// `spoken` is the title for screen readers, if the one that is shown does not say it all.
+  /// Adds a field for a vector. `spoken` is the title for screen readers, if the title that is shown does not say it
+  /// all.
   VectorEdit* addVector(const QString& title, const QString& name, const QString& spoken = {});
   NumberEdit* addNumber(const QString& title, const QString& name);
   void addRefresh(std::function<void()> refresh) { refreshes_.push_back(std::move(refresh)); }
-  /// A tool tip for a field and its title. Lines of numbers show all their digits instead.
+  /// Gives a field and its title a tool tip. Lines of numbers show all their digits instead.
   void explain(QWidget* field, const QString& text);
   [[nodiscard]] static QLabel& titleOf(QWidget* field)
   {
     return *static_cast<QLabel*>(field->parentWidget()->layout()->itemAt(0)->widget());
   }
   static void setFieldVisible(QWidget* field, bool isVisible) { field->parentWidget()->setVisible(isVisible); }
-  /// The name of an edit: `pattern` with the subject and, if it has room for them, `words`.
+  /// Returns the name of an edit: `pattern` with the subject and, if the pattern has room for them, `words`.
   [[nodiscard]] QString editName(const QString& pattern, const QStringList& words) const;
 
  private:
@@ -109,7 +113,7 @@ class InspectorSection : public QWidget {
   std::vector<std::function<void()>> refreshes_;
 };
 
-/// A section of constraints of one kind. Its fields are hidden unless `read` gives something for each of them.
+/// A section of constraints of one kind. A field is hidden unless its `read` gives something for each constraint.
 template <class What>
 class SectionOf : public InspectorSection {
  public:
@@ -124,7 +128,7 @@ class SectionOf : public InspectorSection {
   [[nodiscard]] const What& what(Index row) const { return std::get<What>(constraint(row).what); }
   [[nodiscard]] const What& what() const { return what(rows().front()); }
 
-  /// `edit` changes each row, or returns false to leave it as it is.
+  /// Calls `edit` for each row. It changes the row, or returns false to leave it as it is.
   template <class Edit>
   void edit(const QString& name, Edit edit)
   {
@@ -136,7 +140,7 @@ class SectionOf : public InspectorSection {
 
   enum class WithoutValue { Hidden, Shown };
 
-  /// `write(what, axis, number)` sets one number in the vector that `read(what)` gives.
+  /// Adds a field for the vector that `read(what)` gives. `write(what, axis, number)` sets one number in it.
   template <class Read, class Write>
   VectorEdit* bindVector(const QString& title, const QString& name, Read read, const QString& pattern, Write write,
                          WithoutValue without = WithoutValue::Hidden)
@@ -208,24 +212,27 @@ class SectionOf : public InspectorSection {
   }
 };
 
-/// What was typed, if it is a whole number from `least` on; else throws `InputError` with `reason`.
+/// Returns what was typed, if it is a whole number from `least` on. Else it throws `InputError` with `reason`.
 [[nodiscard]] Index wholeNumber(double typed, double least, const std::string& reason);
 
-/// The panel: the selected constraints of an editor, which outlives it; of several what they have in common.
+/// Makes the panel, which shows the selected constraints of an editor. Of several it shows what they have in common.
+/// The editor outlives the panel.
 [[nodiscard]] QWidget* newInspectorPanel(Editor& editor);
 
 // The sections of the inspector. A layout takes them; `editor` outlives them.
 using Sections = std::vector<InspectorSection*>;
 
-/// Where one point lies (ids and weights), and where points go: to a place, or by a shift.
+/// Makes sections that show where one point lies (ids and weights), and where points go: to a place, or by a shift.
 [[nodiscard]] Sections newPointSections(Editor& editor);
-/// How many vertices fixed, rigid and handle constraints hold.
+/// Makes a section that shows how many vertices fixed, rigid and handle constraints hold.
 [[nodiscard]] Sections newVerticesSections(Editor& editor);
-/// How handles turn and where they go, their frames, and what each vertex that one lists has of its own.
+/// Makes sections that show how handles turn, where they go, and their frames. They also show what each vertex that a
+/// handle lists has of its own.
 [[nodiscard]] Sections newHandleSections(Editor& editor);
-/// Which places relative constraints keep together, and how.
+/// Makes sections that show which places relative constraints keep together, and how.
 [[nodiscard]] Sections newRelativeSections(Editor& editor);
-/// Whether constraints hold and how hard they pull: of one, or the largest values of several.
+/// Makes sections that show whether constraints hold and how hard they pull. Of several constraints they show the
+/// largest values.
 [[nodiscard]] Sections newOutcomeSections(Editor& editor);
 
 }  // namespace holdfast

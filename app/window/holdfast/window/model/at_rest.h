@@ -1,5 +1,5 @@
 #pragma once
-/// The places and vertices that constraints name, on the mesh of an editor at rest.
+/// Finds the places and vertices that constraints name, on the mesh of an editor at rest.
 
 #include <optional>
 #include <string>
@@ -10,13 +10,16 @@
 
 namespace holdfast {
 
-/// The place that the solver starts from, bit for bit. Throws `InputError` if the open mesh has no such location.
+/// Returns the place that the solver starts from, bit for bit. Throws `InputError` if the open mesh has no such
+/// location.
 [[nodiscard]] Vector3 requireRestPlace(const Editor& editor, const SurfaceLocation& location);
 
-/// The same; nothing if there is no such location or no mesh is open.
+/// Returns the place that `requireRestPlace` returns. It returns nothing if there is no such location or no mesh is
+/// open.
 [[nodiscard]] std::optional<Vector3> restPlace(const Editor& editor, const SurfaceLocation& location);
 
-/// The point that goes to `place` to the last bit; a shift becomes a target only where no shift does so.
+/// Returns `point` changed so that it goes from `rest` to `place` to the last bit. A shift stays a shift unless no
+/// shift does so; then it becomes a target.
 [[nodiscard]] PointConstraint goingTo(PointConstraint point, const Vector3& rest, const Vector3& place);
 
 struct FoundVertices {
@@ -24,7 +27,7 @@ struct FoundVertices {
   std::string reason;           ///< why the selection is invalid; empty if it is valid
 };
 
-/// A mesh is open. O(N) per node of the expression.
+/// Finds the vertices that a selection names. A mesh is open. O(N) per node of the expression.
 [[nodiscard]] FoundVertices findVertices(const Editor& editor, const Selection& selection);
 
 }  // namespace holdfast

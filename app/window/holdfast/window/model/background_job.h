@@ -1,5 +1,6 @@
 #pragma once
-/// Work that takes long, on a thread of its own, so that the window never waits; and how threads call the window.
+/// Runs work that takes long on a thread of its own, so that the window never waits. It also lets threads call the
+/// window.
 
 #include <QObject>
 #include <QString>
@@ -17,15 +18,16 @@
 
 namespace holdfast {
 
-/// Calls posted by other threads run in their order on the thread that this object lives on; its destructor drops those
-/// that are left. Not Qt's queue of events, whose locks the thread sanitizer does not see.
+/// Runs calls that other threads post, in their order, on the thread that this object lives on. The destructor drops
+/// the calls that are left. The class does not use Qt's queue of events for the calls: the thread sanitizer does not
+/// see the locks of that queue.
 class PostedCalls final : public QObject {
  public:
   using Call = std::function<void()>;
 
   using QObject::QObject;
 
-  /// From any thread, as long as this object lives.
+  /// Adds a call. Any thread may post, as long as this object lives.
   void post(Call call);
 
  protected:
@@ -36,14 +38,15 @@ class PostedCalls final : public QObject {
   std::deque<Call> calls_;
 };
 
-/// One piece of work at a time; the newest one counts. Lives on the thread of the window, where all signals come.
+/// Runs one piece of work at a time; the newest one counts. The job lives on the thread of the window, where all
+/// signals come.
 class BackgroundJob : public QObject {
   Q_OBJECT
 
  public:
-  /// What the thread of the window does once the work has succeeded.
+  /// The thread of the window calls this once the work has succeeded.
   using Finish = std::function<void()>;
-  /// Touches nothing of the window. May throw; `Cancelled` ends it without a signal but `ended`.
+  /// The work touches nothing of the window. It may throw. After `Cancelled` no signal comes but `ended`.
   using Work = std::function<Finish(Progress&)>;
 
   using QObject::QObject;
@@ -51,7 +54,7 @@ class BackgroundJob : public QObject {
   ~BackgroundJob() override;
 
   void start(Work work);
-  /// Gives up the work under way, if any, at its next step; no signal or call follows but `ended`.
+  /// Gives up the work under way, if any, at its next step. No signal or call follows but `ended`.
   void cancel();
   /// Waits until the work under way has ended and was reported.
   void wait();
@@ -69,7 +72,7 @@ class BackgroundJob : public QObject {
     std::jthread thread;  // its destructor asks for the end and waits
   };
 
-  /// Whether that run is the one that counts, which then does not count any more.
+  /// Tells whether that run is the one that counts. If so, it does not count any more, and `ended` is emitted.
   bool end(std::uint64_t run);
 
   PostedCalls calls_;          // by the threads; outlives them

@@ -1,5 +1,6 @@
 #pragma once
-/// What a user does to constraints: each is one named entry of the history, whichever menu, tool or panel asks for it.
+/// Does what a user does to constraints. Each action is one named entry of the history, whichever menu, tool or panel
+/// asks for it.
 
 #include <QString>
 #include <functional>
@@ -13,51 +14,58 @@
 
 namespace holdfast {
 
-/// Places in `Editor::list`, ascending, each once.
+/// Holds places in `Editor::list`, ascending and each once.
 using Rows = std::vector<Index>;
 
-/// "P1", or "3 constraints": what an entry of the history is about.
+/// Returns what an entry of the history is about: "P1", or "3 constraints".
 [[nodiscard]] QString subjectOf(const Editor& editor, const Rows& rows);
 
-/// What a constraint becomes; nothing if it stays as it is.
+/// Returns what a constraint becomes; nothing if it stays as it is.
 using Change = std::function<std::optional<Constraint>(const Constraint&)>;
 
-/// Makes no entry if all stay as they are. Passes on what `change` throws, and changes nothing then.
+/// Changes each constraint by `change`. If all stay as they are, there is no entry. If `change` throws, nothing changes
+/// and the exception is passed on.
 void changeConstraints(Editor& editor, const QString& name, const Rows& rows, const Change& change);
 
-/// These three select what they make. `holdPoint` holds the point of the surface where it is now.
+/// Holds a point of the surface where it is now. This function and the next two select what they make.
 void holdPoint(Editor& editor, const SurfacePick& pick);
 /// Keeps the vector from the place `to` to the place `from` as it is at rest, rotated as the surface rotates.
 void keepVector(Editor& editor, const SurfaceLocation& from, const SurfaceLocation& to);
 enum class RegionKind { Fixed, Handle, Rigid };
-/// Makes one constraint of the selected vertices, one at least, and deselects them.
+/// Makes one constraint of the selected vertices, and deselects them. At least one is selected.
 void constrainSelection(Editor& editor, RegionKind kind);
 
 void switchConstraints(Editor& editor, const Rows& rows, Enabling enabling);
-/// Disables them if all are enabled, else enables all.
+/// Disables the constraints if all are enabled, else enables all.
 void toggleConstraints(Editor& editor, const Rows& rows);
-/// Throws `InputError` with the reason if the name is empty or that of another constraint.
+/// Renames a constraint. Throws `InputError` with the reason if the name is empty or another constraint has it.
 void renameConstraint(Editor& editor, Index row, const QString& name);
 
-/// Selects the constraint that is now in the place of the first removed one.
+/// Removes constraints. Then it selects the constraint that is now in the place of the first removed one, or else the
+/// last one.
 void removeConstraints(Editor& editor, const Rows& rows);
 
-/// Moves `rows` together, in their order, before what is at `to` (the end: the size of the list), and selects them.
+/// Moves `rows` together, in their order, before the constraint at `to`, and selects them. For the end of the list,
+/// `to` is the size of the list.
 void moveConstraints(Editor& editor, const Rows& rows, Index to);
-/// Before what precedes the first of them; behind what follows the last.
+/// Moves `rows` before the constraint that precedes the first of them.
 void moveConstraintsUp(Editor& editor, const Rows& rows);
+/// Moves `rows` behind the constraint that follows the last of them.
 void moveConstraintsDown(Editor& editor, const Rows& rows);
 
-/// Copies with names of their own at the end of the list, selected.
+/// Adds copies at the end of the list, gives them names of their own, and selects them.
 void duplicateConstraints(Editor& editor, const Rows& rows);
 
-/// Mirrored copies with names of their own at the end of the list, selected. Throws `InputError` as `mirrored` does.
+/// Adds mirrored copies at the end of the list, gives them names of their own, and selects them. Throws `InputError` as
+/// `mirrored` does.
 void mirrorConstraints(Editor& editor, const Rows& rows, const MirrorPlane& plane);
 
-/// Points as a point list (CSV), else as a constraint file (JSON). Throws `InputError` for points beside the mesh.
+/// Copies constraints to the clipboard. Points become a point list (CSV), other constraints a constraint file (JSON).
+/// Throws `InputError` for points beside the mesh.
 void copyConstraints(const Editor& editor, const Rows& rows);
 
-/// To the end of the list, names made unique, selected. Throws `InputError` for what is neither of these.
+/// Pastes constraints from the clipboard at the end of the list, makes their names unique, and selects them. Throws
+/// `InputError` if the clipboard holds neither a point list nor a constraint file.
 void pasteConstraints(Editor& editor);
 
 }  // namespace holdfast

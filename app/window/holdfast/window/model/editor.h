@@ -1,5 +1,5 @@
 #pragma once
-/// The open document, the one truth of the window: constraints, selection and the newest deformation.
+/// Holds the open document, the one truth of the window: constraints, selection and the newest deformation.
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -43,17 +43,17 @@ struct LoadedMesh {
   double weldTolerance = 0;                       ///< within which vertices of `model` are one
 };
 
-/// Throws as `readAnyMesh` and `makeModel` do, and what `progress` throws.
+/// Reads a mesh file and prepares it. Throws as `readAnyMesh` and `makeModel` do, and what `progress` throws.
 [[nodiscard]] LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress, double weldTolerance = 0);
 
-/// The same for a mesh in memory; `path` names it.
+/// Prepares a mesh that is in memory; `path` names it. Throws as `makeModel` does, and what `progress` throws.
 [[nodiscard]] LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress,
                                      double weldTolerance = 0);
 
-/// Whether a full picture of it may take too long for a movement.
+/// Tells whether a full picture of the mesh may take too long for a movement.
 [[nodiscard]] bool isLarge(const Model& model);
 
-/// Whether the picture shows the newest state.
+/// Says whether the picture shows the newest state.
 enum class SolveState {
   Nothing,    ///< no mesh is open
   Current,    ///< the deformation is that of the state
@@ -62,13 +62,14 @@ enum class SolveState {
   Unusable    ///< the state cannot be solved, `Editor::error` says why: the deformation is older
 };
 
-/// What is under the cursor of the picture. With tools that pick it is what a click would take.
+/// Holds what is under the cursor of the picture. With a tool that picks, a click would take it.
 struct UnderCursor {
   std::optional<SurfacePick> pick;
   std::optional<Index> constraint;  ///< whose mark it is, by its place in the list
 };
 
-/// Widgets show this data, change it through the functions below, and keep no copy. Lives on the thread of the window.
+/// The editor holds the open document. Widgets show this data, change it through the functions below, and keep no copy.
+/// The editor lives on the thread of the window.
 class Editor : public QObject {
   Q_OBJECT
 
@@ -77,73 +78,83 @@ class Editor : public QObject {
 
   void open(LoadedMesh mesh, DocumentState state);
   void close();
-  /// Puts the document onto `mesh`, which has the vertices of the mesh before. Where `mesh` is welded within another
-  /// length than the state says, that is an edit of the state.
+  /// Puts the document onto `mesh`, which has the vertices of the mesh before. If `mesh` is welded within another
+  /// length than the state says, the state is edited to say that length.
   void remodel(LoadedMesh mesh);
   [[nodiscard]] bool isOpen() const noexcept { return mesh_.model != nullptr; }
 
-  /// The following need an open document.
+  /// This function and the next four need an open document.
   [[nodiscard]] const LoadedMesh& mesh() const noexcept { return mesh_; }
   [[nodiscard]] const std::shared_ptr<const Model>& model() const noexcept { return mesh_.model; }
   [[nodiscard]] const DocumentState& state() const { return *history_->state(); }
   [[nodiscard]] const ConstraintList& list() const { return state().list; }
   [[nodiscard]] const History& history() const { return *history_; }
 
-  /// How lengths of this document are written. Decimals are the document's own; without a document there are no units.
+  /// Returns how lengths of this document are written. The decimals are the document's own. Without a document there
+  /// are no units.
   [[nodiscard]] LengthStyle lengthStyle() const { return {isOpen() ? list().units : std::string(), decimals_}; }
   [[nodiscard]] std::optional<int> decimals() const noexcept { return decimals_; }
-  /// From 0 to `kMostLengthDecimals`, or none. No edit: nothing that is solved or saved as a constraint changes.
+  /// Sets the decimals of lengths, from 0 to `kMostLengthDecimals`, or none. This is no edit: nothing that is solved or
+  /// saved as a constraint changes.
   void setDecimals(std::optional<int> decimals);
 
-  /// The newest finished deformation; null before the first, and without a document.
+  /// Returns the newest finished deformation; null before the first, and without a document.
   [[nodiscard]] const std::shared_ptr<const DeformResult>& deformation() const noexcept { return shown_.deformation; }
-  /// That of `deformation`, with what a rest has found besides (`LiveEvent::Kind::Examined`); null with it.
+  /// Returns the report of `deformation`; null without a deformation. What the worker finds later, while it rests, is
+  /// added to the report (`LiveEvent::Kind::Examined`).
   [[nodiscard]] const std::shared_ptr<const Report>& report() const noexcept { return shown_.report; }
-  /// Whether `report` says what the solution made of the part: it does some milliseconds after `deformed`.
+  /// Tells whether `report` says what the solution made of the part. It does so some milliseconds after `deformed`.
   [[nodiscard]] bool isResultKnown() const
   {
     return report() == nullptr || report()->solve.status == SolveStatus::Failed ||
            report()->result.status != ResultStatus::NotMeasured;
   }
-  /// The state of `deformation`; null with it. Names and places in the report belong to its list.
+  /// Returns the state of `deformation`; null without a deformation. Names and places in the report belong to the list
+  /// of this state.
   [[nodiscard]] const std::shared_ptr<const DocumentState>& deformedState() const noexcept { return shown_.state; }
   [[nodiscard]] const Positions& positions() const { return surface()->positions(); }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const
   {
     return shown_.surface ? shown_.surface : mesh_.surface;
   }
-  /// Where the constraints of `deformedState` act in `deformation`, disabled ones last; null with it.
+  /// Returns where the constraints of `deformedState` act in `deformation`; null without a deformation. Disabled
+  /// constraints are last.
   [[nodiscard]] const std::shared_ptr<const MarkSet>& marks() const noexcept { return shown_.marks; }
-  /// The outcome of the constraint of this name, probably at `row`; null if nothing was solved with it. O(1) mostly.
+  /// Returns the outcome of the constraint of this name; null if nothing was solved with it. The constraint is probably
+  /// at `row`: this mostly takes O(1).
   [[nodiscard]] const ConstraintOutcome* outcome(const std::string& name, Index row) const;
-  /// That of its outcome; disabled if the list says so, nothing without an outcome or if it was disabled then.
+  /// Returns the status of the constraint's outcome, or `Disabled` if the constraint itself is disabled. It returns
+  /// nothing without an outcome, and if the constraint was disabled when it was solved.
   [[nodiscard]] std::optional<ConstraintStatus> status(const Constraint& constraint, Index row) const;
   [[nodiscard]] SolveState solveState() const noexcept { return solveState_; }
-  /// How long the picture has been older than the list, while that is being solved.
+  /// Returns how long the picture has been older than the list, in seconds; 0 unless the list is being solved.
   [[nodiscard]] double secondsOlder() const
   {
     return solveState_ == SolveState::Solving ? static_cast<double>(older_.elapsed()) / 1000 : 0;
   }
-  /// Whether results are those of the list on screen.
+  /// Tells whether results are those of the list on screen.
   [[nodiscard]] bool isCurrent() const noexcept { return solveState_ == SolveState::Current; }
-  /// Why the newest state cannot be solved; empty otherwise.
+  /// Returns why the newest state cannot be solved; empty otherwise.
   [[nodiscard]] const QString& error() const noexcept { return error_; }
-  /// The current step of the worker; empty while it is idle.
+  /// Returns the current step of the worker; empty while it is idle.
   [[nodiscard]] const QString& step() const noexcept { return step_; }
 
-  /// Each is one entry of the history. `name` says what the edit does, for the menu: "move P1".
+  /// Makes the list another one. This function and the next each add one entry to the history. `name` says in the menu
+  /// what the edit does: "move P1".
   void edit(const QString& name, ConstraintList after);
   void setOptions(const QString& name, const DeformOptions& options);
-  /// A drag: any number of states, one entry. `cancelGesture` restores the state and the picture before it.
+  /// Begins a drag, which has any number of states and is one entry. `cancelGesture` restores the state and the picture
+  /// from before the drag.
   void beginGesture(const QString& name) { history_->beginGesture(name.toStdString()); }
   void updateGesture(ConstraintList after);
   void endGesture();
   void cancelGesture();
-  /// Whether the mesh is welded within the length that the state says. Nothing is solved before it is.
+  /// Tells whether the mesh is welded within the length that the state says. Nothing is solved before it is.
   [[nodiscard]] bool hasItsMesh() const { return state().options.weldTolerance == mesh_.weldTolerance; }
-  /// Asks for a mesh welded within this length, by `meshWanted`.
+  /// Asks by `meshWanted` for a mesh that is welded within this length.
   void weldWithin(double tolerance) { Q_EMIT meshWanted(tolerance); }
-  /// Of many in quick succession on a large mesh only the last state is solved and shown.
+  /// Goes back one entry. Several calls of `undo` and `redo` may come in quick succession. On a large mesh, only the
+  /// last state is then solved and shown.
   void undo()
   {
     if (isOpen() && history_->undo()) stateIsAnother();
@@ -152,9 +163,10 @@ class Editor : public QObject {
   {
     if (isOpen() && history_->redo()) stateIsAnother();
   }
-  /// The user's file holds `state`, which was shown before.
+  /// Notes that the user's file holds `state`, which was shown before.
   void markSaved(std::shared_ptr<const DocumentState> state);
-  /// The document is in no file although nothing was edited: a copy that a crash has left.
+  /// Notes that the document is in no file although nothing was edited. A copy that a crash has left is such a
+  /// document.
   void markUnsaved();
 
   /// Stops the work under way; the state stays as it is. `solve` starts it again.
@@ -164,25 +176,27 @@ class Editor : public QObject {
     if (isOpen()) submit(Supersede::AtNextStep);
   }
 
-  /// The deformation is in the picture: `LiveDeformer::resultIsSeen`.
+  /// Tells the worker that the deformation is in the picture, by `LiveDeformer::resultIsSeen`.
   void resultIsSeen()
   {
     if (isOpen()) worker_->resultIsSeen();
   }
 
-  /// Selected vertices of the file, ascending; and selected constraints by their place in the list, ascending.
+  /// Returns the selected vertices of the file, ascending.
   [[nodiscard]] const std::vector<Index>& selectedVertices() const noexcept { return selectedVertices_; }
+  /// Returns the selected constraints by their places in the list, ascending.
   [[nodiscard]] const std::vector<Index>& selectedConstraints() const noexcept { return selectedConstraints_; }
-  /// `shape` replaces the ids in constraints on these vertices, as long as they stay selected: a curve.
+  /// Selects vertices. `shape`, such as a curve, replaces the ids in constraints on these vertices, as long as they
+  /// stay selected.
   void selectVertices(std::vector<Index> vertices, std::optional<Selection> shape = std::nullopt);
   [[nodiscard]] Selection selection() const { return selectedShape_.value_or(Selection{VertexIds{selectedVertices_}}); }
   void selectConstraints(std::vector<Index> constraints);
 
-  /// None without a document. Locations of measurements are those of picks. Each change is one entry of the history,
-  /// and needs no solution.
+  /// Returns the measurements and the saved selections; none without a document. Locations of measurements are those of
+  /// picks. Each change of the annotations is one entry of the history, and needs no solution.
   [[nodiscard]] const Annotations& annotations() const;
   [[nodiscard]] const Measurements& measurements() const { return annotations().measurements; }
-  /// Where only probes differ, a saved document stays one.
+  /// Replaces the measurements. If only probes differ, a saved document stays a saved one.
   void setMeasurements(const QString& name, Measurements measurements);
   void setSavedSelections(const QString& name, std::vector<SavedSelection> selections);
   [[nodiscard]] const UnderCursor& underCursor() const noexcept { return underCursor_; }

@@ -1,5 +1,5 @@
 #pragma once
-/// What a field says at a place of the surface.
+/// Reads the value of a field at a place of the surface.
 
 #include <holdfast/constraints/constraint.h>
 #include <holdfast/widgets/color/coloring.h>
@@ -7,7 +7,7 @@
 
 namespace holdfast {
 
-/// The value of a colouring of the open document, as it is drawn there; NaN where there is none.
+/// Returns the value of a colouring of the open document, as it is drawn at `location`; NaN where there is none.
 [[nodiscard]] double fieldValue(const Editor& editor, const Coloring& coloring, const SurfaceLocation& location);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// Selections that the user keeps under names, and selects again.
+/// Keeps selections under names, so that the user can select them again.
 
 #include <QString>
 
@@ -8,17 +8,17 @@
 
 namespace holdfast {
 
-/// Keeps the selected vertices, of which there are some, under the first of "selection 1", "selection 2", ... that is
-/// free; a curve as a curve. One entry of the history, as all that follow.
+/// Keeps the selected vertices under the first name of "selection 1", "selection 2", ... that is free. A curve is kept
+/// as a curve. At least one vertex is selected. Each of the first three functions here adds one entry to the history.
 void saveSelection(Editor& editor);
 
-/// Throws `InputError` for a name that is empty or taken.
+/// Renames a saved selection. Throws `InputError` for a name that is empty or taken.
 void renameSavedSelection(Editor& editor, Index place, const QString& name);
 
-/// Those at `places`, ascending.
+/// Removes the selections at `places`, which are ascending.
 void removeSavedSelections(Editor& editor, const Rows& places);
 
-/// In place of what is selected. Throws `InputError` where the mesh has no such vertices.
+/// Selects a saved selection in place of what is selected. Throws `InputError` where the mesh has no such vertices.
 void selectSaved(Editor& editor, Index place);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// The panel in which a user chooses colours, and what is shown beside the surface.
+/// A panel in which a user chooses colours, and what is shown beside the surface.
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -19,7 +19,8 @@
 
 namespace holdfast {
 
-/// Its controls show the settings. An invalid range is refused with the reason, and the settings stay as they were.
+/// The panel's controls show the settings. The panel refuses an invalid range with the reason, and the settings stay as
+/// they were.
 class ColorPanel : public QWidget {
   Q_OBJECT
 
@@ -28,15 +29,16 @@ class ColorPanel : public QWidget {
 
   [[nodiscard]] const ColorSettings& settings() const noexcept { return settings_; }
 
-  /// What is typed next is the range of the colours.
+  /// Gives the choice of the range of the colours the keyboard focus.
   void focusRange() { rangeKind_->setFocus(Qt::OtherFocusReason); }
 
  public Q_SLOTS:
   void setSettings(const ColorSettings& settings);
   void setDisplaySettings(const DisplaySettings& settings);
-  /// How much of the deformation the picture shows.
+  /// Shows how much of the deformation the picture shows, from 0 to 1.
   void setShownShare(double share) { share_->setValue(static_cast<int>(std::lround(100 * share))); }
-  /// The scale of the picture, none where it has one colour. An automatic range shows it; a fixed range starts from it.
+  /// Sets the scale of the picture; none if the picture has one colour. An automatic range shows this scale. A fixed
+  /// range starts from it.
   void setShownScale(const std::optional<ColorScale>& scale);
 
  Q_SIGNALS:

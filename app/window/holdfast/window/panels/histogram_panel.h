@@ -1,5 +1,5 @@
 #pragma once
-/// The panel of distributions: how well constraints are met, and how much the surface turns.
+/// A panel of distributions. It shows how well constraints are met, and how much the surface turns.
 
 #include <functional>
 #include <optional>
@@ -18,18 +18,19 @@ struct ChartTexts {
   std::function<QString(Index bin)> describe;  ///< the range and the count of a bar, for its tool tip
 };
 
-/// A bar answers to the mouse in its whole column. Arrow keys go from bar to bar, Enter is a click.
+/// The view draws a histogram. A bar answers to the mouse in its whole column. Arrow keys go from bar to bar, and Enter
+/// acts as a click.
 class HistogramView : public QWidget {
   Q_OBJECT
 
  public:
   explicit HistogramView(QWidget* parent = nullptr);
 
-  /// `marked`: a value with a dashed line at it.
+  /// Shows a histogram. A dashed line is drawn at the value `marked`.
   void setHistogram(const Histogram& histogram, const ChartTexts& texts, std::optional<double> marked);
   [[nodiscard]] const Histogram& histogram() const noexcept { return histogram_; }
 
-  /// The bar whose column is at `place`; none beside the columns and for an empty bar.
+  /// Returns the bar whose column is at `place`; none beside the columns and for an empty bar.
   [[nodiscard]] std::optional<Index> barAt(const QPointF& place) const;
   [[nodiscard]] QPointF middleOf(Index bar) const;
 
@@ -56,8 +57,9 @@ class HistogramView : public QWidget {
   std::optional<Index> hovered_;
 };
 
-/// Residuals of constraints as shares of the bounding box's diagonal, on a logarithmic scale with the promise marked,
-/// and rotation angles of vertices. A click on a bar picks what it counts.
+/// The panel shows two histograms. One has the residuals of constraints as shares of the bounding box's diagonal. Its
+/// scale is logarithmic, and the promise is marked. The other has the rotation angles of vertices. A click on a bar
+/// picks what it counts.
 class HistogramPanel : public RefreshedPanel {
   Q_OBJECT
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The panel with the rotation sphere: which rotations there are, and which vertex has which.
+/// A panel with the rotation sphere. It shows which rotations there are, and which vertex has which rotation.
 
 #include <memory>
 #include <optional>
@@ -18,24 +18,26 @@
 
 namespace holdfast {
 
-/// The rotations of the editor's deformation. Points are placed in the background, and shown all at once.
+/// The panel shows the rotations of the editor's deformation. It places points in the background, and shows them all at
+/// once.
 class SpherePanel : public RefreshedPanel {
   Q_OBJECT
 
  public:
   explicit SpherePanel(Editor& editor);
 
-  /// Draws an example for `MainWindow::warmUp`. Before a document is opened.
+  /// Draws an example for `MainWindow::warmUp`. Call it before a document is opened.
   void warmUp(const ExampleDocument& example);
 
-  /// What is shown; null before there is a rotation to show.
+  /// Returns the sphere that is shown; null before there is a rotation to show.
   [[nodiscard]] const RotationSphere* sphere() const { return sphere_.get(); }
-  /// Whether that is the editor's newest deformation.
+  /// Tells whether the sphere shows the editor's newest deformation.
   [[nodiscard]] bool isCurrent() const { return shown_ == editor_.deformation(); }
 
  public Q_SLOTS:
   void showVertex(std::optional<Index> vertex);
-  /// Colours points as the mesh, one value for each vertex of the file; one colour where there is nothing.
+  /// Colours points as the mesh. The colouring has one value for each vertex of the file. Without a colouring all
+  /// points have one colour.
   void setColoring(const std::optional<Coloring>& coloring);
   void fit();
 
@@ -57,7 +59,7 @@ class SpherePanel : public RefreshedPanel {
   }
   void applyPalette();
   void updateTexts() { texts_->update(); }
-  /// Once for all requests of one turn of the event loop.
+  /// Draws once for all requests of one turn of the event loop.
   void redraw();
   void pickVertex(vtkObject* /*caller*/, unsigned long /*event*/, void* vertex)
   {

@@ -1,5 +1,5 @@
 #pragma once
-/// Which constraints the table shows, and in which order.
+/// Decides which constraints the table shows, and in which order.
 
 #include <QCollator>
 #include <QSortFilterProxyModel>
@@ -9,8 +9,8 @@
 
 namespace holdfast {
 
-/// Filters and sorts a `ConstraintTableModel`. Missing values come last in both directions; equal ones stay in the
-/// order of precedence. What is typed into a cell of a selected row goes to all selected rows that are visible.
+/// The filter filters and sorts a `ConstraintTableModel`. Missing values come last in both directions. Equal ones stay
+/// in the order of precedence. What is typed into a cell of a selected row goes to all selected rows that are visible.
 class ConstraintFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
@@ -19,19 +19,21 @@ class ConstraintFilter : public QSortFilterProxyModel {
  public:
   ConstraintFilter(Editor& editor, Table& model);
 
-  /// Rows whose name, kind or place has every word of `text` in it, and whose status is `*status` unless that is null.
+  /// Shows only rows whose name, kind or place has every word of `text` in it. Their status is also `*status`, unless
+  /// `status` is null.
   void setFilter(const QString& text, const std::optional<ConstraintStatus>* status);
 
   [[nodiscard]] bool isSorted() const { return sortColumn() >= 0; }
 
-  /// The row of a constraint of the list; -1 if it is not shown.
+  /// Returns the row of a constraint of the list; -1 if the constraint is not shown.
   [[nodiscard]] int visibleRow(Index constraint) const;
   [[nodiscard]] Rows visibleSelection() const;
 
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
-  /// The place in the order of precedence, whatever the order of rows.
+  /// Returns the titles of columns. For a row it returns the place in the order of precedence, whatever the order of
+  /// rows.
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  protected:

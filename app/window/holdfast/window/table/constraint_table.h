@@ -1,5 +1,5 @@
 #pragma once
-/// The table of the constraint panel: rows are selected, dragged and typed into.
+/// The table of the constraint panel. The user selects its rows, drags them and types into them.
 
 #include <QTableView>
 #include <functional>
@@ -8,9 +8,10 @@
 
 namespace holdfast {
 
-/// Keys of its actions work while it has the focus, whatever menus use them for. Clicks in cells that set a value keep
-/// a selection of several rows, because the value goes to all of them. Switch and name stay in sight at the left when
-/// the other columns are scrolled. The first character of a number begins to edit a cell of one.
+/// The table shows constraints. Keys of its actions work while it has the focus, whatever menus use them for. Clicks in
+/// cells that set a value keep a selection of several rows: the value goes to all of them. Switch and name stay in
+/// sight at the left when the other columns are scrolled. The first character of a number begins to edit a cell that
+/// has a number.
 class ConstraintTable : public QTableView {
   Q_OBJECT
 
@@ -20,15 +21,16 @@ class ConstraintTable : public QTableView {
   void setModel(QAbstractItemModel* model) override;
   void setEmptyText(const QString& text);
   void scrollTo(const QModelIndex& index, ScrollHint hint = EnsureVisible) override;
-  /// Among the names alone: digits typed beside them would lead to the rows of any numbers.
+  /// Searches among the names alone. Digits typed in other columns would lead to the rows of any numbers.
   void keyboardSearch(const QString& search) override;
-  /// The part of a cell that neither lies under the columns that stay nor beyond an edge.
+  /// Returns the part of a cell that lies neither under the columns that stay nor beyond an edge.
   [[nodiscard]] QRect seenPart(QRect cell) const;
 
  Q_SIGNALS:
-  /// A title was clicked for the first, the second or the third time: the third returns to the order of precedence, -1.
+  /// A title was clicked for the first, the second or the third time. The third click returns to the order of
+  /// precedence: `column` is -1.
   void sortAsked(int column, Qt::SortOrder order);
-  /// A cell is edited no more, and has what it had.
+  /// The user has stopped editing a cell, and the cell has what it had before.
   void editTakenBack();
 
  protected:
@@ -52,7 +54,8 @@ class ConstraintTable : public QTableView {
   Qt::SortOrder order_ = Qt::AscendingOrder;
 };
 
-/// The panel. A double click on a row, in a cell that cannot be edited, calls `activated` with its place in the list.
+/// Makes the panel. A double click on a row, in a cell that cannot be edited, calls `activated` with the row's place in
+/// the list.
 [[nodiscard]] QWidget* newConstraintPanel(Editor& editor, const std::function<void(Index)>& activated);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// The constraints of an editor as rows of a table, in the order of precedence.
+/// Offers the constraints of an editor as rows of a table, in the order of precedence.
 
 #include <QAbstractTableModel>
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace holdfast {
 
-/// Reads all that it shows from the editor on demand: 10,000 rows cost no more than the few that are visible.
+/// The model reads all that it shows from the editor on demand. 10,000 rows cost no more than the few that are visible.
 class ConstraintTableModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -29,8 +29,8 @@ class ConstraintTableModel : public QAbstractTableModel {
   [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
-  /// One edit of the same cell of several rows: the switch (`Qt::CheckStateRole`), a coordinate of the target (text),
-  /// the name (of the first row). False, with `refused`, if the value is invalid.
+  /// Sets the same cell of several rows by one edit. The cell is the switch (`Qt::CheckStateRole`), a coordinate of the
+  /// target (text), or the name (of the first row only). If the value is invalid, it emits `refused` and returns false.
   bool setCells(const Rows& rows, int column, const QVariant& value, int role);
 
   [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
@@ -41,10 +41,11 @@ class ConstraintTableModel : public QAbstractTableModel {
   bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
                     const QModelIndex& parent) override;
 
-  /// Whether the rows are those of `Editor::list`. They differ for a moment while the editor reports a change.
+  /// Tells whether the rows are those of `Editor::list`. They differ for a moment while the editor reports a change.
   [[nodiscard]] bool isInStep() const { return shown_ == (editor_.isOpen() ? editor_.history().state() : nullptr); }
 
-  /// What rows are sorted by: numbers, and ranks of the status, the gravest first; texts of the others.
+  /// Tells whether rows are sorted by numbers in this column. The numbers of the status are ranks, the gravest first.
+  /// Other columns are sorted by texts.
   [[nodiscard]] bool hasNumbers(int column) const { return column == On || column >= Distance; }
   [[nodiscard]] std::optional<double> number(int row, int column) const;
   [[nodiscard]] QString text(int row, int column) const;
@@ -52,7 +53,7 @@ class ConstraintTableModel : public QAbstractTableModel {
 
  Q_SIGNALS:
   void refused(const QString& reason);
-  /// What was typed is taken, be it what was there.
+  /// The model has taken what was typed, even if it is what was there before.
   void righted();
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// What each listed vertex of a handle has of its own, as a table.
+/// Offers what each listed vertex of a handle has of its own as a table.
 
 #include <QAbstractTableModel>
 #include <memory>
@@ -8,7 +8,8 @@
 
 namespace holdfast {
 
-/// A row for each vertex. Keeps the state and no copy of the numbers: a handle may have a hundred thousand vertices.
+/// The model has a row for each vertex. It keeps the state and no copy of the numbers: a handle may have a hundred
+/// thousand vertices.
 class VertexTableModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -18,8 +19,8 @@ class VertexTableModel : public QAbstractTableModel {
 
   explicit VertexTableModel(What what, QObject* parent = nullptr) : QAbstractTableModel(parent), what_(what) {}
 
-  /// Shows a handle of the list, which has what the table is about: one entry for each of its `VertexIds`. Targets have
-  /// `decimals`, where there are any.
+  /// Shows a handle of the list, which has what the table is about: one entry for each of its `VertexIds`. Targets are
+  /// written with `decimals`, if there are any.
   void show(std::shared_ptr<const DocumentState> state, Index constraint, std::optional<int> decimals);
 
   [[nodiscard]] Index vertex(int row) const { return std::get<VertexIds>(handle().select.what).ids[row]; }

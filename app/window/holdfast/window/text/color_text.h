@@ -1,5 +1,5 @@
 #pragma once
-/// What a surface can be coloured by, in words.
+/// Says in words what a surface can be coloured by.
 
 #include <QString>
 
@@ -7,16 +7,18 @@
 
 namespace holdfast {
 
-/// What decides how a value of a field is written.
+/// Decides how a value of a field is written.
 struct ValueMeaning {
   ColorBy field = ColorBy::None;
   std::optional<double> promise = std::nullopt;  ///< what is no larger is met
 };
 
-/// "0.42", "met ≤ 1.6e-10"; a length with the document's decimals, where there are any. "none here" for NaN.
+/// Returns the text of a value: "0.42", "met ≤ 1.6e-10", or "none here" for NaN. A length has the document's decimals,
+/// if there are any.
 [[nodiscard]] QString valueText(double value, const ValueMeaning& meaning, std::optional<int> decimals);
 
-/// The unit vector about which the detail at a point is rotated, the right hand's way; none where it is not rotated.
+/// Returns the unit vector about which the detail at a point is rotated by the right-hand rule. There is none where the
+/// detail is not rotated.
 [[nodiscard]] std::optional<Vector3> rotationAxis(const Model& model, const DeformResult& deformation,
                                                   const SurfacePoint& point);
 
@@ -25,7 +27,8 @@ struct FieldText {
   QString meaning;  ///< sentences, with the unit
 };
 
-/// `units` is the user's name of the model's length; it may be empty.
+/// Returns the name and the meaning of a field. `units` is the user's name of the model's unit of length; it may be
+/// empty.
 [[nodiscard]] FieldText fieldText(ColorBy field, const QString& units = {}, Weights weights = Weights::Cotangent);
 
 }  // namespace holdfast

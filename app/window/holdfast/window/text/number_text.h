@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers as the window writes and reads them, whatever the locale is.
+/// Writes and reads numbers as the window does, whatever the locale is.
 
 #include <QString>
 #include <functional>
@@ -11,41 +11,42 @@
 
 namespace holdfast {
 
-/// Of UTF-8.
+/// Returns the text that `text` has in UTF-8.
 [[nodiscard]] inline QString toText(std::string_view text)
 {
   return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
 }
 
-/// The shortest text that reads back as the same double.
+/// Returns the shortest text that reads back as the same double.
 [[nodiscard]] QString exactText(double value);
 
-/// Four significant digits, for numbers that are only shown.
+/// Returns four significant digits, for numbers that are only shown.
 [[nodiscard]] QString roundedText(double value);
 
-/// Two significant digits, for residuals in tables: "1.2e-16".
+/// Returns two significant digits, for residuals in tables: "1.2e-16".
 [[nodiscard]] QString shortText(double value);
 
-/// 0 for what is only rounding beside numbers of the size of `scale`.
+/// Returns the value, or 0 if it is only rounding beside numbers of the size of `scale`.
 [[nodiscard]] double withoutNoise(double value, double scale);
 
-/// How a document's lengths are written.
+/// Says how a document's lengths are written.
 struct LengthStyle {
   std::string units;                           ///< the user's name of the model's length; may be empty
   std::optional<int> decimals = std::nullopt;  ///< behind the point; without it four significant digits
 };
 
-/// A length or a coordinate without its unit: "12.500" of three decimals.
+/// Returns a length or a coordinate without its unit: "12.500" with three decimals.
 [[nodiscard]] QString numberText(double value, const LengthStyle& style);
 
-/// A coordinate of a narrow column: with the decimals of `style`; without them exact where that is short, else with
-/// five significant digits.
+/// Returns a coordinate for a narrow column. It has the decimals of `style`. Without decimals it is exact where that is
+/// short, else it has five significant digits.
 [[nodiscard]] QString coordinateText(double value, const LengthStyle& style = {});
 
-/// What a residual within its limit reads: "met ≤ 1.6e-10 mm". Digits below the limit are rounding.
+/// Returns what is shown for a residual within its limit: "met ≤ 1.6e-10 mm". Digits below the limit are rounding.
 [[nodiscard]] QString metText(double limit, const std::string& units);
 
-/// `text` of `value` if it fits, or the first that does of fewer digits, two at least; else "…". Of words the first.
+/// Returns `text`, which is that of `value`, if it fits. Else it returns the first text with fewer digits that fits,
+/// with at least two of them, or else "…". If `text` consists of words that do not fit, it returns the first word.
 [[nodiscard]] QString fittingText(double value, const QString& text, const std::function<bool(const QString&)>& fits);
 
 [[nodiscard]] inline QString axisText(int axis)
@@ -53,24 +54,27 @@ struct LengthStyle {
   return QStringLiteral("xyz").mid(axis, 1);
 }
 
-/// How many: "173 402", in groups that narrow spaces part and no line breaks.
+/// Returns a number of things: "173 402". Narrow spaces part its groups of digits, and no line breaks there.
 [[nodiscard]] QString countText(Index count);
-/// "1 vertex", "12 vertices" of "1 vertex" and "%1 vertices".
+/// Returns a number of things with their name: "1 vertex" or "12 vertices" of "1 vertex" and "%1 vertices".
 [[nodiscard]] QString countText(Index count, const char* one, const char* many);
 
-/// "0.42 mm" of a length that is not negative; "<0.001 mm" where the decimals would make it 0.
+/// Returns a length with its unit: "0.42 mm". It returns "<0.001 mm" where the decimals would make it 0. The length is
+/// not negative.
 [[nodiscard]] QString lengthText(double length, const LengthStyle& style);
 
-/// "(1, 2.5, 3)", rounded and `withoutNoise`, or exact.
+/// Returns "(1, 2.5, 3)", rounded and `withoutNoise`.
 [[nodiscard]] QString roundedText(const Vector3& vector);
-/// The same with the decimals of `style`.
+/// Returns the rounded text of a place with the decimals of `style`.
 [[nodiscard]] QString placeText(const Vector3& place, const LengthStyle& style);
+/// Returns "(1, 2.5, 3)", with the exact text of each number.
 [[nodiscard]] QString exactText(const Vector3& vector);
 
-/// What the user typed, blanks around it aside, as the nearest double; nothing where that is no finite number.
+/// Returns what the user typed as the nearest double, without blanks around it. It returns nothing if that is no finite
+/// number.
 [[nodiscard]] std::optional<double> typedNumber(const QString& typed);
 
-/// Why `typedNumber` gave nothing, and what to write instead.
+/// Returns why `typedNumber` has returned nothing, and what to write instead.
 [[nodiscard]] QString notANumber(const QString& typed);
 
 }  // namespace holdfast

@@ -12,20 +12,20 @@
 
 namespace holdfast {
 
-/// Along which axes the arrows point.
+/// The axes along which the arrows point.
 enum class GizmoAxes {
   Own,  ///< `ConstraintDrag::axes`: of a handle, turned with it; of a point, across the surface and along it
   World,
   View
 };
 
-/// How a handle turns while it is moved about what is fixed, section 3.3 of the paper.
+/// Says how a handle turns while it is moved about what is fixed. Section 3.3 of the paper describes these movements.
 enum class RotationOfMoves {
   AsConstraint,  ///< as the handle says, for example by the shortest rotation (`RotationAboutFixed`)
   AsSeen         ///< by the angle on the screen, about the viewing axis
 };
 
-/// The gizmo is where the selected points and handles go, whichever tool is chosen. A drag is one edit.
+/// The tool shows the gizmo where the selected points and handles go, whichever tool is chosen. A drag is one edit.
 class GizmoTool : public ToolOf<GizmoWidget> {
  public:
   GizmoTool(Editor& editor, Viewport& viewport, QObject* parent);
@@ -42,11 +42,12 @@ class GizmoTool : public ToolOf<GizmoWidget> {
     if (widget().IsDragging() && !widget().IsHeld()) widget().Keep();
   }
   bool cancel() override;
-  /// Of the outer ring, also where the gizmo has none: letters reach nearly as far.
+  /// Returns the extent of the outer ring, also where the gizmo has none: letters reach nearly as far.
   [[nodiscard]] std::vector<Vector3> extent() const override;
   void paint(QPainter& painter) const override;
 
-  /// The box of that label, in the viewport's coordinates and inside it; empty without a drag.
+  /// Returns the box of the drag's label, in the viewport's coordinates and inside the viewport. It is empty without a
+  /// drag.
   [[nodiscard]] QRectF labelPlate() const;
 
   void setAxes(GizmoAxes axes)
@@ -59,7 +60,7 @@ class GizmoTool : public ToolOf<GizmoWidget> {
 
   [[nodiscard]] const GizmoRepresentation& gizmo() const noexcept { return gizmo_; }
   [[nodiscard]] MovedRegion& movedRegion() noexcept { return region_; }
-  /// Whether the cursor is over one of its parts, or drags it: `hint` applies then.
+  /// Tells whether the cursor is over a part of the gizmo, or drags it. `hint` applies then.
   [[nodiscard]] bool isTouched() const { return widget().GetPart() != GizmoPart::None; }
 
  protected:

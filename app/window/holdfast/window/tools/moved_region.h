@@ -1,5 +1,5 @@
 #pragma once
-/// Handles of a large mesh where they are to be, while the rest of it is still being solved.
+/// Shows handles of a large mesh where they are to be, while the rest of the mesh is still being solved.
 
 #include <vector>
 
@@ -13,14 +13,14 @@
 
 namespace holdfast {
 
-/// Drawn over the picture, which is not drawn again for it. Hidden until `moveTo`.
+/// The region is drawn over the picture, which is not drawn again for it. It is hidden until `moveTo`.
 class MovedRegion {
  public:
   explicit MovedRegion(Viewport& viewport);
 
-  /// The triangles between these vertices of the file. O(their triangles).
+  /// Begins with the triangles between these vertices of the file. O(their triangles).
   void begin(const std::vector<Index>& vertices);
-  /// One row for each vertex.
+  /// Moves the vertices to `places`, which has one row for each of them, and shows the region.
   void moveTo(const Positions& places);
   void hide();
   [[nodiscard]] vtkPoints& points() { return *points_; }

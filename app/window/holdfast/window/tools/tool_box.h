@@ -1,5 +1,5 @@
 #pragma once
-/// The tools of the viewport, one of which is chosen, and the actions that choose them.
+/// Holds the tools of the viewport, one of which is chosen, and the actions that choose them.
 
 #include <QActionGroup>
 
@@ -16,7 +16,7 @@ class ToolBox : public QObject {
   ToolBox(Editor& editor, Viewport& viewport, QObject* parent);
 
   [[nodiscard]] QList<QAction*> actions() const { return group_->actions(); }
-  /// A switch: whether rectangle and lasso select hidden vertices, too. Remembered.
+  /// Returns a switch that makes rectangle and lasso select hidden vertices, too. Its state is remembered.
   [[nodiscard]] QAction* reachesThrough() const { return reachesThrough_; }
   [[nodiscard]] const Tool& current() const { return *current_; }
   void chooseSelect() { actions().front()->setChecked(true); }

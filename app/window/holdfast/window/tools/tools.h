@@ -1,5 +1,6 @@
 #pragma once
-/// Tools: their base, and those that the tool box offers. The caller owns them; editor and viewport outlive them.
+/// Makes the tools that the tool box offers, and has their base. The caller owns the tools. Editor and viewport outlive
+/// them.
 
 #include <utility>
 
@@ -11,7 +12,8 @@
 
 namespace holdfast {
 
-/// Makes its widget, and tells it the surface, its regions and the pixel ratio, as far as it wants to know them.
+/// A tool with a widget of one class. It makes the widget, and tells it the surface, the surface's regions and the
+/// pixel ratio, as far as the widget has setters for them.
 template <class Widget>
 class ToolOf : public Tool {
  public:
@@ -38,23 +40,28 @@ class ToolOf : public Tool {
   vtkNew<Widget> widget_;
 };
 
-/// A click on a glyph selects its constraint; Shift or Ctrl adds or removes it. A click beside all glyphs selects none.
+/// Makes a tool that selects constraints. A click on a glyph selects its constraint; with Shift or Ctrl it adds or
+/// removes it. A click beside all glyphs selects none.
 [[nodiscard]] Tool* newSelectTool(Editor& editor, Viewport& viewport);
-/// A click holds the point under the cursor where it is.
+/// Makes a tool that holds points. A click holds the point under the cursor where it is.
 [[nodiscard]] Tool* newPointTool(Editor& editor, Viewport& viewport);
-/// Two clicks make a relative constraint. An arrow shows the vector of the selected one, whatever tool is chosen.
+/// Makes a tool that adds a relative constraint with two clicks. An arrow shows the vector of the selected one,
+/// whatever tool is chosen.
 [[nodiscard]] Tool* newRelativeTool(Editor& editor, Viewport& viewport);
-/// Selects vertices by a brush, a rectangle or a lasso, or a whole side by one click. While `reachesThrough` is
-/// checked, rectangle and lasso select hidden vertices, too.
+/// Makes a tool that selects vertices by a brush, a rectangle or a lasso, or a whole side by one click. While
+/// `reachesThrough` is checked, rectangle and lasso select hidden vertices, too.
 [[nodiscard]] Tool* newRegionTool(RegionShape shape, Editor& editor, Viewport& viewport, QAction& reachesThrough);
-/// A closed curve selects what is inside it; a constraint keeps the curve. Any other selection removes it.
+/// Makes a tool that draws a closed curve and selects what is inside it. A constraint keeps the curve. Any other
+/// selection removes it.
 [[nodiscard]] Tool* newCurveTool(Editor& editor, Viewport& viewport);
-/// A click keeps the point under the cursor in the list of measurements.
+/// Makes a tool that probes. A click keeps the point under the cursor in the list of measurements.
 [[nodiscard]] Tool* newProbeTool(Editor& editor, Viewport& viewport);
-/// Two clicks place a ruler, which is shown and listed from then on, whatever tool is chosen.
+/// Makes a tool that places a ruler with two clicks. The ruler is shown and listed from then on, whatever tool is
+/// chosen.
 [[nodiscard]] Tool* newRulerTool(Editor& editor, Viewport& viewport);
 
-/// VTK's plane, beside any tool: the side that its arrow does not point to is cut away, and cannot be picked.
+/// Makes a section tool, which works beside any tool and shows VTK's plane. The side that the plane's arrow does not
+/// point to is cut away, and cannot be picked.
 QObject* newSectionTool(Editor& editor, Viewport& viewport, QAction& isOn, QObject* parent);
 
 }  // namespace holdfast

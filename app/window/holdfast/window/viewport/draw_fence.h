@@ -1,5 +1,5 @@
 #pragma once
-/// Whether OpenGL has finished drawing, without waiting for it.
+/// Tells whether OpenGL has finished drawing, without waiting for it.
 
 #include <chrono>
 #include <initializer_list>
@@ -8,16 +8,16 @@ class vtkRenderWindow;
 
 namespace holdfast {
 
-/// OpenGL takes orders at once and draws later, on a GPU or on threads of its own. One fence is set at a time, behind
-/// all orders so far.
+/// The fence tells when OpenGL has drawn what it was ordered to draw. OpenGL takes orders at once and draws later, on a
+/// GPU or on threads of its own. One fence is set at a time, behind all orders so far.
 ///
 /// Mesa's renderer for machines without a GPU reports a fence as passed a moment before its threads release it. If the
 /// next order frees the fence in that moment, the threads write into freed memory (`lp_fence_signal`, Mesa 22.3). This
-/// class therefore keeps a second hold on each fence until the next one is passed; no thread reaches the next one
+/// class therefore keeps a second hold on each fence until the next one is passed. No thread reaches the next one
 /// before it has released the first.
 class DrawFence {
  public:
-  /// `window` stays alive as long as this, and draws in a context of Qt.
+  /// Makes a fence for `window`, which outlives the fence and draws in a context of Qt.
   explicit DrawFence(vtkRenderWindow& window);
   ~DrawFence();
   DrawFence(const DrawFence&) = delete;
@@ -25,8 +25,8 @@ class DrawFence {
 
   void set();
 
-  /// False if the orders before the fence are still being drawn after `patience`; else true, and the fence is no longer
-  /// set. True if none is set.
+  /// Returns false if the orders before the fence are still being drawn after `patience`. Else it returns true, and the
+  /// fence is no longer set. It returns true if no fence is set.
   [[nodiscard]] bool pass(std::chrono::nanoseconds patience = {});
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// A window that is not repainted while OpenGL draws in it.
+/// Keeps a window from being repainted while OpenGL draws in it.
 
 #include <QObject>
 #include <QPointer>
@@ -7,15 +7,16 @@
 
 namespace holdfast {
 
-/// Composing the widgets of a window waits for all that OpenGL was ordered to draw, and the window cannot answer
-/// meanwhile. Repaints requested during the pause follow after it.
+/// The pause holds back the repaints of a window. A repaint composes the widgets of the window. That waits for all that
+/// OpenGL was ordered to draw, and the window cannot answer meanwhile. Repaints that are requested during the pause
+/// follow after it.
 class RepaintPause : public QObject {
  public:
-  /// `inside`: a widget of that window; it stays alive as long as this.
+  /// Makes a pause for the window of the widget `inside`, which outlives the pause.
   explicit RepaintPause(QWidget& inside) : inside_(inside) {}
 
   void begin();
-  /// Whether a repaint was requested; it follows with the next events.
+  /// Ends the pause, and tells whether a repaint was requested. The repaint follows with the next events.
   bool end();
 
  protected:

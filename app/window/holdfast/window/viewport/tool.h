@@ -1,5 +1,5 @@
 #pragma once
-/// What the mouse does in the viewport while one tool is chosen.
+/// The base of tools. The chosen tool decides what the mouse does in the viewport.
 
 #include <QObject>
 #include <QString>
@@ -18,55 +18,55 @@ namespace holdfast {
 class Editor;
 class Viewport;
 
-/// The viewport has one tool at a time. Tools listen to a widget of VTK, which works as long as the tool is chosen, and
-/// edit the document; events that the widget leaves move the camera.
+/// A tool listens to a widget of VTK and edits the document. The viewport has one chosen tool at a time. The widget
+/// works as long as its tool is chosen. Events that the widget leaves move the camera.
 class Tool : public QObject {
   Q_OBJECT
 
  public:
-  /// What the left button does, in one line for the status bar.
+  /// Returns what the left button does, in one line for the status bar.
   [[nodiscard]] virtual QString hint() const = 0;
   [[nodiscard]] virtual Qt::CursorShape cursor() const { return Qt::CrossCursor; }
 
-  /// The user has chosen this tool; another one.
+  /// These two are called when the user has chosen this tool, and when the user has chosen another one.
   virtual void begin();
   virtual void end();
-  /// The mouse is over something in front of what the tool works on.
+  /// This is called when the mouse is over something in front of what the tool works on.
   virtual void leave() {}
-  /// Whether the tool calls `Viewport::setPreview` with what a click would take.
+  /// Tells whether the tool calls `Viewport::setPreview` with what a click would take.
   [[nodiscard]] virtual bool hasPreview() const { return false; }
-  /// Whether the tool takes the key, before any menu does.
+  /// Tells whether the tool takes the key before any menu does.
   [[nodiscard]] virtual bool wants(const QKeyEvent& /*event*/) const { return false; }
-  /// The viewport loses the keyboard focus.
+  /// This is called when the viewport loses the keyboard focus.
   virtual void loseFocus() {}
-  /// Takes back what is under way, exactly; false if nothing is.
+  /// Takes back exactly what is under way. Returns false if nothing is.
   virtual bool cancel() { return false; }
-  /// Removes what the tool has made last and still holds; false if there is nothing.
+  /// Removes what the tool has made last and still holds. Returns false if there is nothing.
   virtual bool remove() { return false; }
-  /// Places beside the surface that "show all" shows, too, as the camera stands now; of a document that is open.
+  /// Returns places beside the surface that "show all" shows, too, as the camera stands now. A document is open.
   [[nodiscard]] virtual std::vector<Vector3> extent() const { return {}; }
   /// Draws over the picture, in the viewport's own coordinates.
   virtual void paint(QPainter& /*painter*/) const {}
 
  Q_SIGNALS:
-  /// `hint` gives another result now.
+  /// `hint` returns another result now.
   void changed();
-  /// `paint` gives another result there.
+  /// `paint` draws something else in this area now.
   void paintChanged(const QRect& area);
 
  protected:
-  /// All outlive the tool.
+  /// Makes a tool. All arguments outlive it.
   Tool(Editor& editor, Viewport& viewport, vtkAbstractWidget& widget, QObject* parent);
 
-  /// The viewport shows another surface, or none.
+  /// This is called when the viewport shows another surface, or none.
   virtual void followSurface() {}
-  /// Before each picture: the pixel ratio of the display may have changed.
+  /// This is called before each picture: the pixel ratio of the display may have changed.
   virtual void followDisplay() {}
 
   [[nodiscard]] Editor& editor() const noexcept { return editor_; }
   [[nodiscard]] Viewport& viewport() const noexcept { return viewport_; }
-  /// As VTK's widgets ask for a key: '\r' for Return, '\b' for Backspace, 27 for Escape; 0 for others or with Ctrl,
-  /// Alt.
+  /// Returns a key as VTK's widgets ask for it: its character, '\r' for Return, '\b' for Backspace, 27 for Escape. It
+  /// returns 0 for other keys, and with Ctrl or Alt.
   [[nodiscard]] static char characterOf(const QKeyEvent& event);
 
  private:

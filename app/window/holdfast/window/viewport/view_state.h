@@ -1,5 +1,5 @@
 #pragma once
-/// What sessions keep of the view: the camera, the colours, and what is shown.
+/// Reads and applies what sessions keep of the view: the camera, the colours, and what is shown.
 
 #include <holdfast/document/session_file.h>
 #include <holdfast/widgets/camera/camera_state.h>
@@ -11,11 +11,13 @@ class Viewport;
 
 [[nodiscard]] ViewState viewStateOf(Viewport& viewport);
 
-/// Settings that `state` leaves out, and unknown names (of a newer version), change nothing.
+/// Applies a view to the viewport. Settings that `state` leaves out change nothing. Neither do unknown names, which a
+/// newer version may have written.
 void apply(const ViewState& state, Viewport& viewport);
 
-/// What the user has chosen last for meshes of this one's format. Before that: y for scans (`LoadedMesh::isScan`) but
-/// in STL files, which are made for machines whose z is up; z for all others.
+/// Returns what the user has chosen last for meshes of this one's format. Before the first choice it returns y for
+/// scans (`LoadedMesh::isScan`), and z for all others. Scans in STL files get z, too: these files are made for machines
+/// whose z is up.
 [[nodiscard]] UpAxis upAxisOf(const LoadedMesh& mesh);
 void rememberUpAxis(const LoadedMesh& mesh, UpAxis axis);
 

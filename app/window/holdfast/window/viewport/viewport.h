@@ -1,5 +1,5 @@
 #pragma once
-/// The picture of the open document, and VTK's interactor in it.
+/// Shows the picture of the open document, with VTK's interactor in it.
 
 #include <QElapsedTimer>
 #include <QMouseEvent>
@@ -33,8 +33,8 @@ class ViewportOverlay;
 struct ExampleDocument;
 struct ViewFrame;
 
-/// Shows the editor's document. Qt's events go to VTK's interactor, whose widgets and camera style interpret them. All
-/// their requests of one turn of the event loop give one picture.
+/// The viewport shows the editor's document. Qt's events go to VTK's interactor, whose widgets and camera style
+/// interpret them. All their requests of one turn of the event loop give one picture.
 class Viewport : public VtkView {
   Q_OBJECT
 
@@ -42,101 +42,113 @@ class Viewport : public VtkView {
   explicit Viewport(Editor& editor, QWidget* parent = nullptr);
   ~Viewport() override;
 
-  /// Draws an example for `MainWindow::warmUp`. Before a document is opened.
+  /// Draws an example for `MainWindow::warmUp`. Call it before a document is opened.
   void warmUp(const ExampleDocument& example);
 
   [[nodiscard]] Editor& editor() noexcept { return editor_; }
 
   void setTool(Tool* tool);
-  /// A tool beside every chosen tool: the gizmo.
+  /// Sets a tool that works beside every chosen tool: the gizmo.
   void setFirstTool(Tool* tool);
-  /// What a click would take; tools call it.
+  /// Sets what a click would take. Tools call it.
   void setPreview(const std::optional<SurfacePick>& pick);
-  /// To be called when the mouse is over an object that hides the surface from the chosen tool.
+  /// Tells the chosen tool that the mouse has left the surface. Call it when the mouse is over an object that hides the
+  /// surface from the tool.
   void leaveTool();
-  /// Takes back what is under way with the mouse; false if nothing is.
+  /// Takes back what is under way with the mouse. Returns false if nothing is.
   bool cancelGesture();
-  /// The same, or else removes what the chosen tool has made last.
+  /// Takes back what is under way, or else removes what the chosen tool has made last. Returns false if there is
+  /// neither.
   bool takeBack() { return cancelGesture() || (tool_ && tool_->remove()); }
 
   void setColors(const ColorSettings& settings);
   [[nodiscard]] const ColorSettings& colors() const noexcept { return colors_; }
   void setDisplay(const DisplaySettings& settings);
   [[nodiscard]] const DisplaySettings& display() const noexcept { return display_; }
-  /// The present colouring; none for one colour, for an empty viewport, and for a field that is zero everywhere.
+  /// Returns the present colouring. There is none for one colour, for an empty viewport, and for a field that is zero
+  /// everywhere.
   [[nodiscard]] const std::optional<Coloring>& coloring() const noexcept { return coloring_; }
   void setDarkBackdrop(bool isDark);
-  /// How much of the way from rest, 0, to the deformation, 1, the picture shows. Another deformation is shown in full.
+  /// Sets how much of the way from rest, 0, to the deformation, 1, the picture shows. The next deformation is shown in
+  /// full.
   void setShownShare(double share);
   [[nodiscard]] double shownShare() const noexcept { return shownShare_; }
-  /// What the legend over the picture says.
+  /// Returns what the legend over the picture says.
   [[nodiscard]] LegendContent legend() const;
-  /// Where it is, in the widget's coordinates; empty where nothing is to be said.
+  /// Returns the box of the legend in the widget's coordinates; an empty box if the legend says nothing.
   [[nodiscard]] QRectF legendBox() const { return boxOf(legend(), font(), rect()); }
 
-  /// From where the camera looks; in parallel projection, too. The legend and the axes in the corner stay clear of it.
-  /// Places of the first tool are shown as well where they are no farther from the mesh than it is large.
+  /// Shows all of the mesh from the direction of the camera; in parallel projection, too. The legend and the axes in
+  /// the corner stay clear of the mesh. Places of the first tool (`Tool::extent`) are shown as well, unless they are
+  /// farther from the mesh than it is large.
   void frameAll();
-  /// The same from a corner, as it is first shown.
+  /// Shows all of the mesh from a corner, as it is first shown.
   void lookFromCorner();
-  /// The first deformation no longer frames the mesh then.
+  /// Sets the camera. The first deformation no longer frames the mesh then.
   void setCamera(const Camera& camera);
-  /// Drags, turns of the wheel and the functions here each lead to another view of this document.
+  /// Goes back to the view before. Each drag, each turn of the wheel and each call of the functions here leads to
+  /// another view of this document.
   void showPreviousView() { goBack(earlierViews_, laterViews_); }
   void showNextView() { goBack(laterViews_, earlierViews_); }
   void frameVertices(const std::vector<Index>& vertices);
-  /// Ascending places in the list.
+  /// Frames the marks of constraints, which are ascending places in the list.
   void frameConstraints(const std::vector<Index>& constraints);
   void lookAlong(const Vector3& direction, const Vector3& up);
-  /// Of the model, for `lookFromCorner`; the camera stays as it is. A new document has that of `upAxisOf`.
+  /// Sets the up axis of the model, for `lookFromCorner`. The camera stays as it is. A new document has the axis that
+  /// `upAxisOf` returns.
   void setUpAxis(UpAxis axis);
   [[nodiscard]] UpAxis upAxis() const noexcept { return upAxis_; }
   void setParallelProjection(bool isParallel);
   [[nodiscard]] bool isParallelProjection() const;
 
-  /// The surface that is visible and can be picked, without what the section plane cuts away; null without a document.
+  /// Returns the surface that is visible and can be picked, without what the section plane cuts away. It is null
+  /// without a document.
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const noexcept { return surface_; }
-  /// Cuts the picture, not the mesh; none shows all of it. Applies to the next document, too.
+  /// Sets a plane that cuts the picture, not the mesh. Without a plane all of the mesh is shown. The plane applies to
+  /// the next document, too.
   void setSection(const std::optional<SectionPlane>& section);
   [[nodiscard]] const std::optional<SectionPlane>& section() const noexcept { return section_; }
 
-  /// Faces whose corners are all among `vertices` are neither drawn nor picked, nor are the constraints on them alone;
-  /// with what was hidden before. False where there is no such face, or no other: then nothing changes. For this
-  /// document. O(T).
+  /// Hides the faces whose corners are all among `vertices`. They are neither drawn nor picked, nor are the constraints
+  /// on them alone. What was hidden before stays hidden. If there is no such face, or if no face would stay visible,
+  /// the function changes nothing and returns false. Faces are hidden for this document only. O(T).
   bool hide(const std::vector<Index>& vertices);
-  /// The same of all other faces.
+  /// Hides all other faces, as `hide` does.
   bool isolate(const std::vector<Index>& vertices);
   void showHidden();
-  /// Ranges of faces of the file, first and last, ascending. What they hide is hidden as by `hide`; the file may have
-  /// fewer faces.
+  /// Returns the hidden faces as ascending ranges of faces of the file, each with its first and its last face.
   [[nodiscard]] std::vector<std::array<Index, 2>> hiddenFaces() const;
+  /// Hides ranges of faces as `hide` does. The file may have fewer faces than the ranges say.
   void hideFaces(const std::vector<std::array<Index, 2>>& ranges);
-  /// Those of some vertices that are not hidden: what selects in one step beyond the cursor leaves hidden ones as they
-  /// are.
+  /// Returns those of some vertices that are not hidden. A command that selects in one step beyond the cursor calls it
+  /// to leave hidden vertices as they are.
   [[nodiscard]] std::vector<Index> shownAmong(std::vector<Index> vertices) const;
-  /// Whether each triangle is hidden; null where none is.
+  /// Returns for each triangle whether it is hidden; null if none is.
   [[nodiscard]] const std::shared_ptr<const std::vector<char>>& hidden() const noexcept { return hidden_; }
 
   [[nodiscard]] SceneContents* contents() noexcept { return contents_.get(); }
-  /// The constraints that are drawn, including those that the section plane cuts away; none without a document.
+  /// Returns the marks of the constraints that are drawn, including those that the section plane cuts away. There are
+  /// none without a document.
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept;
   [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
-  /// A layer for widgets over the picture, with its camera and depths. Drawing it does not draw the document again.
+  /// Returns a layer for widgets over the picture, with the camera and the depths of the picture. Drawing this layer
+  /// does not draw the document again.
   [[nodiscard]] vtkRenderer& widgetRenderer() { return *widgetRenderer_; }
 
-  /// In the widget's coordinates, from the upper left corner.
+  /// Returns where a pixel of the render window is, in the widget's coordinates from the upper left corner.
   [[nodiscard]] QPointF toPlace(const DisplayPoint& display) const;
 
   void scheduleRender();
-  /// For VTK's interactor: draws only the layers above the document if that has not changed.
+  /// Schedules a picture for VTK's interactor. If the document and the view have not changed, only the layers above the
+  /// document are drawn.
   void scheduleWidgets();
-  /// Whether the latest picture of the document is one of all its triangles.
+  /// Tells whether the latest picture of the document is one of all its triangles.
   [[nodiscard]] bool isInFullDetail() const noexcept { return frames_->isInFullDetail(); }
-  /// Whether a picture, or one of more detail, is still to come.
+  /// Tells whether a picture, or one of more detail, is still to come.
   [[nodiscard]] bool isRenderPending() const { return frames_->isPending(); }
 
  Q_SIGNALS:
-  /// Another field, another scale, or other values of it.
+  /// The field, the scale or the values of the colouring have changed.
   void coloringChanged(const std::optional<Coloring>& coloring);
   void surfaceChanged();
   void shownShareChanged(double share);
@@ -149,7 +161,7 @@ class Viewport : public VtkView {
   void contextMenuWanted(const QPoint& place);
   void legendDoubleClicked();
   void aboutToRender();
-  /// The last moment to take a widget away from the interactor.
+  /// The viewport is about to be destroyed. This is the last moment to take a widget away from the interactor.
   void closing();
   void rendered();
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The legend over the picture: what colours mean, and how many constraints have which status.
+/// Paints the legend over the picture: what colours mean, and how many constraints have which status.
 
 #include <QRectF>
 #include <QString>
@@ -16,7 +16,7 @@ class QPalette;
 
 namespace holdfast {
 
-/// From below.
+/// Holds what the legend says. The first member is at the bottom.
 struct LegendContent {
   std::optional<ColorScale> scale;
   QString line;                                            ///< may be empty
@@ -26,11 +26,11 @@ struct LegendContent {
   friend bool operator==(const LegendContent&, const LegendContent&) = default;
 };
 
-/// In a lower corner of `area`, at the left above the note about what is under the cursor, with a halo that keeps it
-/// legible over the mesh.
+/// Paints the legend into a lower corner of `area`. At the left it is above the note about what is under the cursor. A
+/// halo keeps it legible over the mesh.
 void paint(const LegendContent& legend, QPainter& painter, const QRectF& area, const QPalette& palette);
 
-/// Around what that paints; empty for nothing.
+/// Returns the box around what `paint` paints; an empty box if that is nothing.
 [[nodiscard]] QRectF boxOf(const LegendContent& legend, const QFont& font, const QRectF& area);
 
 }  // namespace holdfast

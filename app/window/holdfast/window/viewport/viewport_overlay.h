@@ -1,5 +1,5 @@
 #pragma once
-/// Over the picture: the legend, what tools paint, whether it is older than the document.
+/// Paints over the picture: the legend, what tools paint, and whether the picture is older than the document.
 
 #include <QPointF>
 #include <QRectF>
@@ -22,16 +22,17 @@ class ViewportOverlay : public QWidget {
  public:
   ViewportOverlay(Editor& editor, Viewport& viewport);
 
-  /// They paint over the picture; null for none.
+  /// Sets the tools that paint over the picture. Null stands for no tool.
   void setTools(std::vector<const Tool*> tools);
 
   [[nodiscard]] LegendContent legend() const;
 
-  /// Paint again what has changed. A drag changes little from picture to picture.
+  /// These two paint again what has changed. A drag changes little from picture to picture.
   void followLegend();
   void followState();
 
-  /// What rulers and arrows in the layer of the widgets say, as in the latest picture, and where that is painted.
+  /// The texts of rulers and arrows in the layer of the widgets in the latest picture, and the boxes that they are
+  /// painted in.
   using RulerLabels = std::vector<std::pair<QRectF, QString>>;
   [[nodiscard]] const RulerLabels& rulerLabels() const noexcept { return rulerLabels_; }
 
@@ -52,16 +53,16 @@ class ViewportOverlay : public QWidget {
   void followCursor();
   void followPicture();
   [[nodiscard]] RulerLabels currentRulerLabels() const;
-  /// The size of a label, with its margins.
+  /// Returns the size of a label with its margins.
   [[nodiscard]] QRectF plateOf(const QString& text) const;
   void paintProbes(QPainter& painter) const;
   void paintCursor(QPainter& painter) const;
   void paintNote(QPainter& painter, const QRectF& text, const QString& words) const;
-  /// In the lower left corner.
+  /// Returns the box of the note in the lower left corner.
   [[nodiscard]] QRectF cursorNote() const;
   [[nodiscard]] QString cursorText() const;
   [[nodiscard]] QString valueAtPlace(const Coloring& coloring, const SurfaceLocation& location) const;
-  /// In the upper left corner: why the picture is not that of the document.
+  /// Returns what the upper left corner says: why the picture is not that of the document.
   [[nodiscard]] QString stateText() const;
 
   Editor& editor_;
@@ -75,7 +76,7 @@ class ViewportOverlay : public QWidget {
   RulerLabels rulerLabels_;
 };
 
-/// Why the picture is older than the document; empty if it is current.
+/// Returns why the picture is older than the document; empty if it is current.
 [[nodiscard]] QString solveStateText(const Editor& editor);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// The most useful gestures on one page, and the manual.
+/// Shows the most useful gestures on one page, and the manual.
 
 #include <QWidget>
 

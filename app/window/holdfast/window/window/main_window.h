@@ -1,5 +1,5 @@
 #pragma once
-/// The window: the picture in the middle, panels around it, and what menus and keys do.
+/// The window, with the picture in the middle and panels around it. It decides what menus and keys do.
 
 #include <QActionGroup>
 #include <QCloseEvent>
@@ -31,10 +31,12 @@ class MainWindow : public QMainWindow {
   MainWindow();
   ~MainWindow() override;
 
-  /// Draws an example in every view before the window is shown: compiling shaders takes some tenths of a second.
+  /// Draws an example in every view. Call it before the window is shown: compiling shaders takes some tenths of a
+  /// second.
   void warmUp();
 
-  /// Looks as it did when it was closed last, and keeps how it looks when it is closed. Before it is shown.
+  /// Makes the window look as it did when it was closed last, and keeps how it looks when it is closed. Call it before
+  /// the window is shown.
   void remember();
 
   [[nodiscard]] Editor& editor() { return editor_; }
@@ -79,7 +81,7 @@ class MainWindow : public QMainWindow {
   void escape();
 
   enum class Needs { Nothing, Document, Vertices, Constraints, Measurements };
-  /// An entry of a menu; a separator without a text.
+  /// An entry of a menu. An entry without a text is a separator.
   struct Item {
     const char* name = "";
     QString text;
@@ -95,7 +97,7 @@ class MainWindow : public QMainWindow {
   {
     for (const Item& item : items) item.text.isEmpty() ? menu.addSeparator() : addAction(menu, item);
   }
-  /// One of which is chosen, at first the first.
+  /// Adds entries of which one is chosen. At first this is the first.
   void addChoices(QMenu& menu, const std::vector<Item>& items);
 
   Editor editor_;

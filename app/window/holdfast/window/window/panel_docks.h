@@ -1,5 +1,5 @@
 #pragma once
-/// The panels around the picture, and the connections between them and the picture.
+/// Holds the panels around the picture, and connects them and the picture.
 
 #include <QDockWidget>
 #include <QMainWindow>
@@ -14,7 +14,8 @@
 
 namespace holdfast {
 
-/// Two stacks of tabs at the right: constraints, colours and rotations above; the selection and results below.
+/// The docks are two stacks of tabs at the right. Constraints, colours and rotations are above; the selection and
+/// results are below.
 class PanelDocks : public QObject {
   Q_OBJECT
 
@@ -29,9 +30,9 @@ class PanelDocks : public QObject {
 
   void followViewport();
 
-  /// Brings the panel of colours to the front, with the keys.
+  /// Brings the panel of colours to the front, and gives it the keyboard focus.
   void showColors();
-  /// Brings the panel of the solution to the front; the line of the tolerance of welding has the keys.
+  /// Brings the panel of the solution to the front, and gives the line of the welding tolerance the keyboard focus.
   void showWelding();
 
  protected:

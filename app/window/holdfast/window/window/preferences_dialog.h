@@ -1,5 +1,5 @@
 #pragma once
-/// What a user chooses once and for all documents.
+/// Lets a user choose what applies to all documents.
 
 #include <QActionGroup>
 #include <QDialog>
@@ -17,7 +17,7 @@ struct Preferences {
   QAction* reset = nullptr;  ///< puts everything back
 };
 
-/// Each change applies at once.
+/// Makes a dialog for the preferences. Each change applies at once.
 [[nodiscard]] QDialog* newPreferencesDialog(const Preferences& preferences, QWidget* window);
 
 }  // namespace holdfast

@@ -1,5 +1,5 @@
 #pragma once
-/// What the window remembers from start to start.
+/// Keeps what the window remembers from start to start.
 
 #include <QString>
 #include <QVariant>
@@ -8,13 +8,13 @@
 
 namespace holdfast {
 
-/// Values in the user's settings. Each can go back to what it was before the settings were read.
+/// Holds values that are kept in the user's settings. Each can go back to what it was before the settings were read.
 class Remembered {
  public:
   using Read = std::function<QVariant()>;
   using Write = std::function<void(const QVariant&)>;
 
-  /// Calls `write` with what the last start has left, if anything.
+  /// Adds a value, and calls `write` with what the last start has left, if anything.
   void add(const QString& key, Read read, Write write);
   void save() const;
   void reset();

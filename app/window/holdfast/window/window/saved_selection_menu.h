@@ -1,5 +1,5 @@
 #pragma once
-/// Saved selections in the menu of the main window.
+/// Shows saved selections in the menu of the main window.
 
 #include <QMainWindow>
 #include <QMenu>
@@ -11,7 +11,8 @@ namespace holdfast {
 /// Keeps the selected vertices, and has the panel of `window` ask for their name.
 void saveAndNameSelection(Editor& editor, QMainWindow& window);
 
-/// An entry for each saved selection, which selects it. The editor outlives the menu; `window` owns it.
+/// Makes a menu with an entry for each saved selection, which selects it. The editor outlives the menu; `window` owns
+/// it.
 [[nodiscard]] QMenu* newSavedSelectionMenu(Editor& editor, QMainWindow& window);
 
 }  // namespace holdfast

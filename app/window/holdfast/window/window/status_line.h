@@ -1,5 +1,5 @@
 #pragma once
-/// The line below the picture: what the mouse does, what is selected, and how accurate the solution is.
+/// The line below the picture. It says what the mouse does, what is selected, and how accurate the solution is.
 
 #include <QLabel>
 #include <QPushButton>
@@ -21,14 +21,15 @@ class StatusLine : public QStatusBar {
     showHint();
   }
 
-  /// For some time, until the next message or until another document is opened; the hint is covered meanwhile.
+  /// Shows a message for some time, at most until the next message or until another document is opened. It covers the
+  /// hint meanwhile.
   void showDocumentMessage(const QString& message, int milliseconds)
   {
     documentMessage_ = message;
     showMessage(message, milliseconds);
   }
 
-  /// No text makes the window wider.
+  /// Returns a size without a width, so that no text makes the window wider.
   [[nodiscard]] QSize minimumSizeHint() const override { return {0, QStatusBar::minimumSizeHint().height()}; }
 
  protected:
