@@ -1,3 +1,4 @@
+#include <QCoreApplication>
 #include <QDialog>
 #include <chrono>
 #include <csignal>
@@ -94,6 +95,20 @@ TEST_F(AutosaveTest, TheCopyGoesWithItsDocument)
   ASSERT_TRUE(w.waitForCopy(1));
   w.editor.close();
   EXPECT_TRUE(copies().empty());
+}
+
+TEST_F(AutosaveTest, ACopyThatIsBeingWrittenGoesWithItsDocument)
+{
+  test::KeptWindow w(recovery);
+  w.autosave->setDelay(std::chrono::seconds(0));
+  const fs::path part = w.sample("bracket.obj");
+  for (int k = 0; k < 5; ++k) {
+    ASSERT_TRUE(w.open(part));
+    w.holdVertex(3);
+    QCoreApplication::processEvents();  // a copy is begun
+    w.editor.close();
+    EXPECT_TRUE(test::waitUntil([&] { return copies().empty(); }));
+  }
 }
 
 TEST_F(AutosaveTest, NothingIsWrittenInTheMiddleOfAGesture)

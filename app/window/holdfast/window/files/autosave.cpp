@@ -128,6 +128,7 @@ Autosave::Autosave(Editor& editor, DocumentFiles& files, std::filesystem::path f
 
 void Autosave::changed()
 {
+  if (!editor_.isOpen()) return;  // the document was closed while its copy was written
   if (editor_.history().isSaved()) {
     discardRecovered();
     return removeCopy();
