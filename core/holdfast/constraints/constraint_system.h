@@ -19,7 +19,7 @@ enum class RowKind {
   Relative   ///< how one point of the surface lies to another: p_from - p_to, Fig. 8
 };
 
-/// One row of B x = d, for all coordinates alike.
+/// A row states one equation of B x = d, in the directions in which it holds.
 struct ConstraintRow {
   /// Holds the unknowns, ascending, with their coefficients. A pin is one term of weight 1. The coefficients of a
   /// difference sum to 0. The difference of a point and itself has no terms at all.

@@ -45,7 +45,7 @@ class FrameScheduler : public QObject {
   /// Tells whether a button of the mouse is down.
   [[nodiscard]] bool isHeld() const noexcept { return isHeld_; }
 
-  /// To be called before and after the view is painted.
+  /// The view calls these before and after it is painted.
   void beginPainting();
   void endPainting();
 
