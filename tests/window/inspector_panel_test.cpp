@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/io/text/number_text.h>
+#include <holdfast/base/same_bits.h>
 
 #include "inspected_sheet.h"
 #include "open_document.h"

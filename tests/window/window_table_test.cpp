@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <holdfast/io/text/number_text.h>
+#include <holdfast/base/same_bits.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/window/table/constraint_table_model.h>
 #include <holdfast/window/text/number_text.h>

@@ -130,8 +130,13 @@ inline constexpr std::array<std::string_view, 6> kSessionKeys{"mesh",         "o
 /// `InputError`.
 [[nodiscard]] SurfaceLocation readLocation(const JsonReader& json);
 [[nodiscard]] Selection readSelection(const JsonReader& json);
-[[nodiscard]] JsonValue locationJson(const SurfaceLocation& location);
-[[nodiscard]] JsonValue selectionJson(const Selection& selection);
+void to_json(JsonValue& json, const SurfaceLocation& location);
+void to_json(JsonValue& json, const Selection& selection);
+
+/// Reads the constraint at `place` of a list, counted from 1. Throws `InputError`.
+[[nodiscard]] Constraint readConstraint(const JsonReader& json, std::size_t place);
+/// Returns the constraint as it stands in a file, in one line.
+[[nodiscard]] std::string constraintJson(const Constraint& constraint);
 
 /// Returns the members of a constraint file, in lines of their own, without the braces around them.
 [[nodiscard]] std::string constraintMembersJson(const ConstraintList& list);
@@ -149,6 +154,6 @@ void requireReadable(const char* what, const Read& read)
 
 /// Returns the text of `json` in one line: [1, 2], {"key": "text"}. Doubles have their shortest exact form, -0.0
 /// included. What is not finite becomes null, which JSON readers refuse with its path. Strings are UTF-8.
-[[nodiscard]] std::string jsonText(const nlohmann::ordered_json& json);
+[[nodiscard]] std::string jsonText(const JsonValue& json);
 
 }  // namespace holdfast

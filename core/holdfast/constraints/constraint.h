@@ -1,6 +1,7 @@
 #pragma once
 /// Constraints as a user states them. Each is one entry of a constraint file, in the file's own terms.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -90,11 +91,20 @@ struct Move {
   [[nodiscard]] Vector3 shiftFrom(const Vector3& /*rest*/) const { return shift; }
 };
 
+/// Returns where a place of the surface is at rest.
+using RestPlace = std::function<Vector3(const SurfaceLocation&)>;
+
 /// One point of the surface goes to one place.
 struct PointConstraint {
   static constexpr const char* kType = "point";
   SurfaceLocation at;
   std::variant<Target, Move> to;
+
+  [[nodiscard]] std::vector<SurfaceLocation> places() const { return {at}; }
+  [[nodiscard]] bool hasTarget() const { return true; }
+  /// The point goes from where it is at rest to `place`, to the last bit. A shift stays a shift unless no shift does
+  /// so; then it becomes a target.
+  void setTarget(const Vector3& place, const RestPlace& restPlace);
 };
 
 /// Returns where the point goes if it is at `rest` before, bit for bit as the solver takes it.
@@ -123,6 +133,10 @@ struct RelativeConstraint {
   SurfaceLocation from;
   SurfaceLocation to;
   std::optional<Vector3> offset;
+
+  [[nodiscard]] std::vector<SurfaceLocation> places() const { return {from, to}; }
+  [[nodiscard]] bool hasTarget() const { return offset.has_value(); }
+  void setTarget(const Vector3& vector, const RestPlace& /*restPlace*/) { offset = vector; }
 };
 
 /// Something that a file says of a constraint, such as a column of a point list. It means nothing to the solution.
@@ -159,6 +173,17 @@ struct Constraint {
       },
       constraint.what);
 }
+
+/// Returns the places of the surface that a constraint names, in the order of the keys of files. Those that have a
+/// selection name none.
+[[nodiscard]] std::vector<SurfaceLocation> placesOf(const Constraint& constraint);
+
+/// Tells whether a constraint has one target of its own: the place of a point, or the offset of a vector.
+[[nodiscard]] bool hasTarget(const Constraint& constraint);
+
+/// Gives a constraint that has a target another one, in model units. Does nothing to others. Throws what `restPlace`
+/// throws.
+void setTarget(Constraint& constraint, const Vector3& target, const RestPlace& restPlace);
 
 /// A whole constraint file. The order of the constraints is their precedence: where not all can hold, the earlier ones
 /// do.

@@ -220,13 +220,6 @@ void setMultipliers(std::vector<ConstraintOutcome>& outcomes, const ConstraintSy
   });
 }
 
-/// Points and offsets have a target of their own that can be another one.
-bool hasTarget(const Constraint& constraint)
-{
-  const RelativeConstraint* relative = std::get_if<RelativeConstraint>(&constraint.what);
-  return std::holds_alternative<PointConstraint>(constraint.what) || (relative != nullptr && relative->offset);
-}
-
 ConstraintLabel labelOf(const Constraint& constraint)
 {
   return {constraint.name, typeName(constraint), constraint.isEnabled, hasTarget(constraint)};

@@ -261,18 +261,16 @@ Json optionsJson(const DeformOptions& options)
 Json selectionsJson(const std::vector<SavedSelection>& selections)
 {
   Json json = Json::array();
-  for (const SavedSelection& saved : selections)
-    json.push_back({{"name", saved.name}, {"select", selectionJson(saved.select)}});
+  for (const SavedSelection& saved : selections) json.push_back({{"name", saved.name}, {"select", saved.select}});
   return json;
 }
 
 Json measurementsJson(const Measurements& measurements)
 {
   Json probes = Json::array();
-  for (const SurfaceLocation& probe : measurements.probes) probes.push_back(locationJson(probe));
+  for (const SurfaceLocation& probe : measurements.probes) probes.push_back(probe);
   Json rulers = Json::array();
-  for (const auto& [from, to] : measurements.rulers)
-    rulers.push_back(Json::array({locationJson(from), locationJson(to)}));
+  for (const auto& [from, to] : measurements.rulers) rulers.push_back(Json::array({from, to}));
   return {{"probes", probes}, {"rulers", rulers}};
 }
 

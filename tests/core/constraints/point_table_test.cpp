@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/same_bits.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/constraint_files/point_tables.h>
-#include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
 namespace {

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/same_bits.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/io/formats/formats.h>
-#include <holdfast/io/text/number_text.h>
 
 #include "support/meshes.h"
 #include "support/point_constraints.h"

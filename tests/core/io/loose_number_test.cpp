@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <holdfast/base/same_bits.h>
 #include <holdfast/io/text/loose_number.h>
 
 namespace holdfast {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/same_bits.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/io/text/text_cursor.h>
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include <holdfast/base/same_bits.h>
 #include <holdfast/io/formats/added_normals.h>
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/formats/stored_normals.h>

@@ -8,7 +8,7 @@
 
 #include <holdfast/base/parallel.h>
 #include <holdfast/base/printable.h>
-#include <holdfast/io/text/number_text.h>
+#include <holdfast/base/same_bits.h>
 #include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {

@@ -2,9 +2,7 @@
 /// Numbers are read and written as text independently of the locale, so that a double survives to its last bit.
 
 #include <array>
-#include <bit>
 #include <charconv>
-#include <cstdint>
 #include <string_view>
 #include <system_error>
 
@@ -58,11 +56,5 @@ class NumberText {
   std::array<char, 32> characters_{};  // a double takes 24 at most, an Index 20
   std::size_t size_ = 0;
 };
-
-/// Tells whether two doubles are the same to the last bit. -0.0 differs from 0.0, and a NaN is the same as itself.
-[[nodiscard]] inline bool hasSameBits(double a, double b)
-{
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
 
 }  // namespace holdfast

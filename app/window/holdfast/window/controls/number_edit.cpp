@@ -3,7 +3,7 @@
 #include <QKeyEvent>
 #include <utility>
 
-#include <holdfast/io/text/number_text.h>
+#include <holdfast/base/same_bits.h>
 #include <holdfast/window/controls/panel_parts.h>
 
 namespace holdfast {

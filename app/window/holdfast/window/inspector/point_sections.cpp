@@ -241,7 +241,7 @@ class TargetSection : public SectionOf<PointConstraint> {
           const Vector3 rest = requireRestPlace(this->editor(), point.at);
           Vector3 place = placeOf(point, rest);
           place[axis] = number;
-          point = goingTo(point, rest, place);
+          point.setTarget(place, [&](const SurfaceLocation& /*at*/) { return rest; });
         },
         WithoutValue::Shown);
     bindVector(

@@ -1,7 +1,5 @@
 #include "holdfast/window/model/at_rest.h"
 
-#include <holdfast/io/text/number_text.h>
-
 namespace holdfast {
 
 Vector3 requireRestPlace(const Editor& editor, const SurfaceLocation& location)
@@ -19,20 +17,15 @@ std::optional<Vector3> restPlace(const Editor& editor, const SurfaceLocation& lo
   }
 }
 
-PointConstraint goingTo(PointConstraint point, const Vector3& rest, const Vector3& place)
+std::optional<Constraint> withTarget(Constraint constraint, const Vector3& target, const Editor& editor)
 {
-  const Move* move = std::get_if<Move>(&point.to);
-  Vector3 shift = move != nullptr ? move->shift : Vector3::Zero();
-  bool isShift = move != nullptr;
-  for (Index k = 0; k < 3; ++k) {
-    if (!hasSameBits(rest[k] + shift[k], place[k])) shift[k] = place[k] - rest[k];
-    isShift = isShift && hasSameBits(rest[k] + shift[k], place[k]);
+  if (!editor.isOpen() || !hasTarget(constraint)) return std::nullopt;
+  try {
+    setTarget(constraint, target, [&](const SurfaceLocation& at) { return requireRestPlace(editor, at); });
+    return constraint;
+  } catch (const InputError&) {
+    return std::nullopt;
   }
-  if (isShift)
-    point.to = Move{shift};
-  else
-    point.to = Target{place};
-  return point;
 }
 
 FoundVertices findVertices(const Editor& editor, const Selection& selection)

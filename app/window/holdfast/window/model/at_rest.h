@@ -18,9 +18,9 @@ namespace holdfast {
 /// open.
 [[nodiscard]] std::optional<Vector3> restPlace(const Editor& editor, const SurfaceLocation& location);
 
-/// Returns `point` changed so that it goes from `rest` to `place` to the last bit. A shift stays a shift unless no
-/// shift does so; then it becomes a target.
-[[nodiscard]] PointConstraint goingTo(PointConstraint point, const Vector3& rest, const Vector3& place);
+/// Returns `constraint` with another target, as `setTarget` sets it. It returns nothing for a constraint that has no
+/// target, and for a place that the open mesh does not have.
+[[nodiscard]] std::optional<Constraint> withTarget(Constraint constraint, const Vector3& target, const Editor& editor);
 
 struct FoundVertices {
   std::vector<Index> vertices;  ///< ascending

@@ -73,21 +73,6 @@ constexpr std::size_t kMostConflicts = 100;
 constexpr std::size_t kMostRepetitions = 200;
 constexpr int kLettersOnButtons = 16;
 
-/// The constraint with the target or offset that agrees with the others.
-std::optional<Constraint> agreeing(Constraint constraint, const Vector3& target, const Editor& editor)
-{
-  if (PointConstraint* point = std::get_if<PointConstraint>(&constraint.what)) {
-    const std::optional<Vector3> rest = restPlace(editor, point->at);
-    if (!rest) return std::nullopt;
-    *point = goingTo(*point, *rest, target);
-    return constraint;
-  }
-  RelativeConstraint* relative = std::get_if<RelativeConstraint>(&constraint.what);
-  if (relative == nullptr) return std::nullopt;
-  relative->offset = target;
-  return constraint;
-}
-
 class ConflictPanel final : public RefreshedPanel {
  public:
   explicit ConflictPanel(Editor& editor) : editor_(editor)
@@ -293,7 +278,7 @@ class ConflictPanel final : public RefreshedPanel {
     if (!shared) return;
     changeConstraints(editor_, tr("give %1 their average target").arg(subjectOf(editor_, shared->constraints)),
                       shared->constraints,
-                      [&](const Constraint& constraint) { return agreeing(constraint, shared->mean, editor_); });
+                      [&](const Constraint& constraint) { return withTarget(constraint, shared->mean, editor_); });
   }
 
   void disable(std::size_t card)
@@ -309,7 +294,7 @@ class ConflictPanel final : public RefreshedPanel {
     if (!row || !conflictSet->consistentTarget) return;
     const Vector3 target = *conflictSet->consistentTarget;
     changeConstraints(editor_, tr("give %1 the consistent target").arg(subjectOf(editor_, {*row})), {*row},
-                      [&](const Constraint& constraint) { return agreeing(constraint, target, editor_); });
+                      [&](const Constraint& constraint) { return withTarget(constraint, target, editor_); });
   }
 
   Editor& editor_;

@@ -9,7 +9,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
-#include <holdfast/io/text/number_text.h>
+#include <holdfast/base/same_bits.h>
 #include <holdfast/mesh/index_lists.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
@@ -296,8 +296,7 @@ bool ConstraintTableModel::setCoordinate(const Rows& rows, int column, const QSt
     Vector3 place = placeOf(*point, *rest);
     if (hasSameBits(place[axis], *value)) return std::nullopt;
     place[axis] = *value;
-    *point = goingTo(*point, *rest, place);
-    return constraint;
+    return withTarget(constraint, place, editor_);
   });
   return true;
 }

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include <holdfast/io/text/number_text.h>
+#include <holdfast/base/same_bits.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {

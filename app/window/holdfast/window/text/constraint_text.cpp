@@ -86,19 +86,6 @@ QString endsOf(const QString& text, int letters)
   return text.left(letters - 1 - ofEnd) + QStringLiteral("…") + text.right(ofEnd);
 }
 
-struct WhereText {
-  QString operator()(const PointConstraint& point) const { return locationText(point.at); }
-  QString operator()(const RelativeConstraint& relative) const
-  {
-    return QObject::tr("%1 to %2").arg(locationText(relative.from), locationText(relative.to));
-  }
-  template <class Selecting>
-  QString operator()(const Selecting& selecting) const
-  {
-    return selectionText(selecting.select);
-  }
-};
-
 }  // namespace
 
 QString kindText(const Constraint& constraint)
@@ -118,7 +105,10 @@ QString selectionText(const Selection& selection)
 
 QString whereText(const Constraint& constraint)
 {
-  return std::visit(WhereText{}, constraint.what);
+  if (const Selection* selection = selectionOf(constraint)) return selectionText(*selection);
+  QStringList places;
+  for (const SurfaceLocation& at : placesOf(constraint)) places << locationText(at);
+  return places.join(QObject::tr(" to "));
 }
 
 QString statusText(std::optional<ConstraintStatus> status)

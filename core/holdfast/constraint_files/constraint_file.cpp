@@ -1,0 +1,105 @@
+#include "holdfast/constraint_files/constraint_file.h"
+
+#include <map>
+
+#include <holdfast/base/lower_case.h>
+#include <holdfast/constraint_files/constraint_file_internal.h>
+#include <holdfast/io/files/file_bytes.h>
+
+namespace holdfast {
+namespace {
+
+constexpr std::string_view kFormat = "holdfast-constraints";
+constexpr Index kVersion = 1;
+constexpr std::array<std::string_view, 4> kListKeys{"format", "version", "units", "constraints"};
+
+void requireFormat(const JsonReader& document)
+{
+  if (document["format"].text() != kFormat)
+    document["format"].fail("{} is expected here, this file says {}; is it a constraint file?", inQuotes(kFormat),
+                            inQuotes(document["format"].text()));
+  const Index version = document["version"].integer();
+  if (version > kVersion)
+    document["version"].fail(
+        "version {} is newer than this program, which reads version {}; write the file as version {} or use a newer "
+        "program",
+        version, kVersion, kVersion);
+  if (version < kVersion) document["version"].fail("there is no version {}; the version is {}", version, kVersion);
+}
+
+std::vector<Constraint> readConstraintArray(const JsonReader& json)
+{
+  std::vector<Constraint> constraints;
+  std::map<std::string, std::string, std::less<>> pathOf;  // by name
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const JsonReader element = json.element(i);
+    constraints.push_back(readConstraint(element, i + 1));
+    const std::string& name = constraints.back().name;
+    const auto [first, isNew] = pathOf.try_emplace(name, element.path());
+    if (isNew) continue;
+    if (!element.has("name"))
+      element.fail("its default name {} is that of {}; give it a name", inQuotes(name), first->second);
+    element["name"].fail("{} is the name of {} already; names are unique", inQuotes(name), first->second);
+  }
+  return constraints;
+}
+
+std::string constraintArrayJson(const std::vector<Constraint>& constraints)
+{
+  std::string json;
+  for (const Constraint& constraint : constraints)
+    json += (json.empty() ? "\n    " : ",\n    ") + constraintJson(constraint);
+  return json.empty() ? "[]" : fmt::format("[{}\n  ]", json);
+}
+
+}  // namespace
+
+ConstraintList readConstraintDocument(const JsonReader& document)
+{
+  requireFormat(document);
+  std::vector<std::string_view> keys(kListKeys.begin(), kListKeys.end());
+  keys.insert(keys.end(), kSessionKeys.begin(), kSessionKeys.end());
+  document.requireKeys(keys);
+  ConstraintList list;
+  if (document.has("units")) list.units = document["units"].text();
+  list.constraints = readConstraintArray(document["constraints"]);
+  return list;
+}
+
+ConstraintList parseConstraintsJson(std::string_view text, const std::string& name)
+{
+  const JsonValue root = parseJson(text, name);
+  return readConstraintDocument(JsonReader(root, name));
+}
+
+bool isPointList(const std::filesystem::path& path, std::string_view text)
+{
+  const std::string extension = lowerCase(path.extension().string());
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const bool isJson = first != std::string_view::npos && text[first] == '{';
+  return extension == kPointListExtensions[0] || (std::ranges::count(kPointListExtensions, extension) != 0 && !isJson);
+}
+
+ConstraintList readConstraints(const std::filesystem::path& path)
+{
+  const std::string text = readTextFile(path);
+  return isPointList(path, text) ? parsePointListCsv(text, path.string()) : parseConstraintsJson(text, path.string());
+}
+
+std::string constraintMembersJson(const ConstraintList& list)
+{
+  const std::string units = list.units.empty() ? "" : fmt::format("\n  \"units\": {},", jsonText(list.units));
+  return fmt::format(
+      "\n  \"format\": \"holdfast-constraints\",\n  \"version\": 1,{}\n"
+      "  \"constraints\": {}\n",
+      units, constraintArrayJson(list.constraints));
+}
+
+std::string constraintsToJson(const ConstraintList& list)
+{
+  std::string json = fmt::format("{{{}}}\n", constraintMembersJson(list));
+  requireReadable("constraint file", [&] { return parseConstraintsJson(json, ""); });
+  return json;
+}
+
+}  // namespace holdfast

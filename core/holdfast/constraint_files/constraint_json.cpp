@@ -1,0 +1,247 @@
+#include <algorithm>
+
+#include <holdfast/constraint_files/constraint_file_internal.h>
+#include <holdfast/constraints/handle_motion.h>
+
+namespace holdfast {
+
+// Found by the library where it writes values and lists of them.
+static void to_json(JsonValue& json, const AxisAngle& turn);
+static void to_json(JsonValue& json, const Frame& frame);
+
+namespace {
+
+using Motion = decltype(HandleConstraint::motion);
+
+constexpr std::array<std::string_view, 4> kMotions{"rotate", "turn", "frame", "targets"};
+constexpr std::array<std::string_view, 6> kNeeded{"rotate", "turn", "frame", "targets", "translate", "rotations"};
+constexpr std::array<std::string_view, 1> kTurns{"about-fixed"};
+
+bool hasAnyOf(const JsonReader& json, std::span<const std::string_view> keys)
+{
+  return std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return json.has(key); });
+}
+
+AxisRotation readAxisRotation(const JsonReader& json)
+{
+  json.requireKeys({"axis", "degrees", "center"});
+  AxisRotation turn{json["axis"].direction(), json["degrees"].number(), std::nullopt};
+  if (json.has("center")) turn.center = json["center"].vector();
+  return turn;
+}
+
+AxisAngle readAxisAngle(const JsonReader& json)
+{
+  json.requireKeys({"axis", "degrees"});
+  return {json["axis"].direction(), json["degrees"].number()};
+}
+
+RotationAboutFixed readRotationAboutFixed(const JsonReader& handle)
+{
+  const JsonReader json = handle["turn"];
+  static_cast<void>(json.choice(kTurns, "unknown way to turn {}"));
+  if (!handle.has("translate"))
+    json.fail(R"(the handle turns as "translate" moves it about the fixed vertices; add "translate")");
+  if (!handle.has("turn_near")) return {};
+  return {readAxisAngle(handle["turn_near"])};
+}
+
+Frame readFrame(const JsonReader& json)
+{
+  json.requireKeys({"origin", "x", "y"});
+  Frame frame;
+  if (json.has("origin")) frame.origin = json["origin"].vector();
+  if (json.has("x")) frame.x = json["x"].direction();
+  if (json.has("y")) frame.y = json["y"].direction();
+  return frame;
+}
+
+FrameMotion readFrameMotion(const JsonReader& json)
+{
+  json.requireKeys({"from", "to", "turns"});
+  FrameMotion motion;
+  if (json.has("from")) motion.from = readFrame(json["from"]);
+  motion.to = readFrame(json["to"]);
+  if (json.has("turns")) motion.turns = json["turns"].integer();
+  return motion;
+}
+
+Motion readMotion(const JsonReader& json)
+{
+  if (json.has("turn_near") && !json.has("turn"))
+    json.failBelow(".turn_near", R"(says which "turn" is meant, and there is none; add "turn": "about-fixed")");
+  if (!hasAnyOf(json, kMotions)) return std::monostate{};
+  const std::string_view kind = json.oneKeyOf(kMotions);
+  if (kind == "rotate") return readAxisRotation(json[kind]);
+  if (kind == "turn") return readRotationAboutFixed(json);
+  if (kind == "frame") return readFrameMotion(json[kind]);
+  return VertexTargets{json[kind].listAboveZero(&JsonReader::vector)};
+}
+
+HandleConstraint readHandle(const JsonReader& json)
+{
+  HandleConstraint handle{readSelection(json["select"]), {}, Vector3::Zero(), {}};
+  if (!hasAnyOf(json, kNeeded))
+    json.fail(R"(a handle needs "rotate", "translate" or both, or another way to go: "turn", "frame", "targets", )"
+              R"("rotations"; "fixed" is the type of what stays where it is)");
+  handle.motion = readMotion(json);
+  if (json.has("translate")) handle.translate = json["translate"].vector();
+  if (json.has("rotations")) handle.rotations = json["rotations"].listAboveZero(readAxisAngle);
+  if (const std::optional<HandleError> error = validateHandle(handle)) json.failBelow(error->key, error->reason);
+  return handle;
+}
+
+using Keys = std::span<const std::string_view>;
+using What = decltype(Constraint::what);
+
+struct Type {
+  std::string_view name;
+  Keys keys;
+  What (*read)(const JsonReader&);
+};
+
+constexpr std::array<std::string_view, 5> kRegionKeys{"type", "name", "enabled", "extra", "select"};
+constexpr std::array<std::string_view, 12> kHandleKeys{"type",    "name",      "enabled",   "extra",
+                                                       "select",  "rotate",    "turn",      "frame",
+                                                       "targets", "translate", "turn_near", "rotations"};
+constexpr std::array<std::string_view, 7> kPointKeys{"type", "name", "enabled", "extra", "at", "target", "move"};
+constexpr std::array<std::string_view, 7> kRelativeKeys{"type", "name", "enabled", "extra", "from", "to", "offset"};
+constexpr std::array<std::string_view, 2> kDestinations{"target", "move"};
+
+/// A constraint that is its selection alone.
+template <class Region>
+What readRegion(const JsonReader& json)
+{
+  return Region{readSelection(json["select"])};
+}
+
+What readPoint(const JsonReader& json)
+{
+  PointConstraint point{readLocation(json["at"]), {}};
+  if (json.oneKeyOf(kDestinations) == "target")
+    point.to = Target{json["target"].vector()};
+  else
+    point.to = Move{json["move"].vector()};
+  return point;
+}
+
+What readRelative(const JsonReader& json)
+{
+  RelativeConstraint relative{readLocation(json["from"]), readLocation(json["to"]), std::nullopt};
+  if (json.has("offset")) relative.offset = json["offset"].vector();
+  return relative;
+}
+
+constexpr std::array<Type, std::variant_size_v<What>> kTypes{
+    {{FixedConstraint::kType, kRegionKeys, readRegion<FixedConstraint>},
+     {HandleConstraint::kType, kHandleKeys, [](const JsonReader& json) { return What(readHandle(json)); }},
+     {PointConstraint::kType, kPointKeys, readPoint},
+     {RigidConstraint::kType, kRegionKeys, readRegion<RigidConstraint>},
+     {RelativeConstraint::kType, kRelativeKeys, readRelative}}};
+
+Type readType(const JsonReader& json)
+{
+  std::array<std::string_view, kTypes.size()> names;
+  std::ranges::transform(kTypes, names.begin(), &Type::name);
+  return kTypes[json.choice(names, "unknown type {}")];
+}
+
+/// The name, or the default for the constraint at `place`, counted from 1.
+std::string readName(const JsonReader& json, std::string_view type, std::size_t place)
+{
+  if (!json.has("name")) return fmt::format("{} {}", type, place);
+  const JsonReader name = json["name"];
+  if (name.text().empty()) name.fail("the name is empty; leave the key out for the default name");
+  return name.text();
+}
+
+std::vector<ExtraText> readExtra(const JsonReader& json)
+{
+  std::vector<ExtraText> extra;
+  for (const std::string_view title : json.keys()) {
+    if (title.empty()) json.fail("a title is empty; give each text one");
+    extra.push_back({std::string(title), json[title].text()});
+  }
+  return extra;
+}
+
+struct OwnKeys {
+  JsonValue& json;
+
+  void operator()(const FixedConstraint& fixed) const { json["select"] = fixed.select; }
+  void operator()(const RigidConstraint& rigid) const { json["select"] = rigid.select; }
+  void operator()(const HandleConstraint& handle) const
+  {
+    json["select"] = handle.select;
+    std::visit(*this, handle.motion);
+    json["translate"] = handle.translate;
+    if (!handle.rotations.empty()) json["rotations"] = handle.rotations;
+  }
+  void operator()(const PointConstraint& point) const
+  {
+    json["at"] = point.at;
+    std::visit(*this, point.to);
+  }
+  void operator()(const RelativeConstraint& relative) const
+  {
+    json["from"] = relative.from;
+    json["to"] = relative.to;
+    if (relative.offset) json["offset"] = *relative.offset;
+  }
+
+  void operator()(const Target& target) const { json["target"] = target.place; }
+  void operator()(const Move& move) const { json["move"] = move.shift; }
+
+  void operator()(std::monostate) const {}
+  void operator()(const AxisRotation& turn) const
+  {
+    json["rotate"] = AxisAngle{turn.axis, turn.degrees};
+    if (turn.center) json["rotate"]["center"] = *turn.center;
+  }
+  void operator()(const RotationAboutFixed& turn) const
+  {
+    json["turn"] = "about-fixed";
+    if (turn.near) json["turn_near"] = *turn.near;
+  }
+  void operator()(const FrameMotion& motion) const
+  {
+    json["frame"] = {{"from", motion.from}, {"to", motion.to}};
+    if (motion.turns != 0) json["frame"]["turns"] = motion.turns;
+  }
+  void operator()(const VertexTargets& targets) const { json["targets"] = targets.places; }
+};
+
+}  // namespace
+
+void to_json(JsonValue& json, const AxisAngle& turn)
+{
+  json = {{"axis", turn.axis}, {"degrees", turn.degrees}};
+}
+
+void to_json(JsonValue& json, const Frame& frame)
+{
+  if (frame.origin) json["origin"] = *frame.origin;
+  json["x"] = frame.x;
+  json["y"] = frame.y;
+}
+
+Constraint readConstraint(const JsonReader& json, std::size_t place)
+{
+  const Type type = readType(json["type"]);
+  json.requireKeys(type.keys);
+  const bool isEnabled = !json.has("enabled") || json["enabled"].boolean();
+  return {readName(json, type.name, place), isEnabled, type.read(json),
+          json.has("extra") ? readExtra(json["extra"]) : std::vector<ExtraText>{}};
+}
+
+std::string constraintJson(const Constraint& constraint)
+{
+  JsonValue json{{"type", typeName(constraint)}, {"name", constraint.name}};
+  if (!constraint.isEnabled) json["enabled"] = false;
+  std::visit(OwnKeys{json}, constraint.what);
+  for (const auto& [title, extra] : constraint.extra) json["extra"][title] = extra;
+  const std::string text = jsonText(json);
+  return "{ " + text.substr(1, text.size() - 2) + " }";
+}
+
+}  // namespace holdfast
