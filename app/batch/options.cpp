@@ -34,8 +34,8 @@ void addChoice(CLI::App& command, const std::string& option, std::optional<Value
   };
   command.add_option_function<std::string>(
       option, choose,
-      fmt::format("{} or {}; what the session says if left out, else {}",
-                  fmt::join(names.begin(), names.end() - 1, ", "), names.back(), name(otherwise)));
+      fmt::format("{} or {}; default: that of the session, else {}", fmt::join(names.begin(), names.end() - 1, ", "),
+                  names.back(), name(otherwise)));
 }
 
 void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, Command& asked)
@@ -62,12 +62,12 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, Command& a
     command->add_option(
         "--near-limit", asked.options.nearLimit,
         fmt::format(
-            "Warn of \"near\" places farther from the surface than this share of the diagonal; what the session "
-            "says if left out, else {}",
+            "Warn of \"near\" places farther from the surface than this share of the diagonal; default: that of the "
+            "session, else {}",
             defaults.nearLimit));
     command->add_option("--weld", asked.options.weldTolerance,
-                        "Deform vertices of open edges that lie within this length of one another as one; what the "
-                        "session says if left out, else those in one place");
+                        "Deform vertices of open edges that lie within this length of one another as one; "
+                        "default: that of the session, else those in one place");
     command
         ->add_flag_callback(
             "--skip-bad-rows", [&asked] { asked.badRows = BadRows::Skip; },
@@ -87,12 +87,12 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, Command& a
   addChoice(deformApp, "--rotations", asked.options.rotations, kAllRotations, defaults.rotations.source);
   deformApp.add_option(
       "--rotation-change", asked.options.rotationChange,
-      fmt::format("Rotations are found until a vertex moves by no more than this share of the diagonal; what the "
-                  "session says if left out, else {}",
+      fmt::format("Rotations are found when an iteration moves no vertex by more than this share of the diagonal; "
+                  "default: that of the session, else {}",
                   defaults.rotations.change));
   deformApp.add_option(
       "--soft-weight", asked.options.softWeight,
-      fmt::format("Weight of the constraints of the solver soft; what the session says if left out, else {}",
+      fmt::format("Weight of the constraints of the solver soft; default: that of the session, else {}",
                   defaults.solver.softWeight));
 }
 

@@ -110,9 +110,9 @@ std::string solveLines(const SolveReport& solve, const std::string& units)
                        name(solve.options.kind), solve.method, counted(solve.unknowns, "unknown"),
                        counted(solve.factorNonzeros, "non-zero"), counted(solve.refinementSteps, "correction"));
   if (solve.iterations)
-    lines +=
-        fmt::format("rotations    {} in {}, which moved a vertex by {:.2g} of the {} at last\n", name(solve.rotations),
-                    counted(solve.iterations->count, "iteration"), solve.iterations->change, sizeName(solve.rotations));
+    lines += fmt::format("rotations    {} in {}, the last of which moved a vertex by {:.2g} of the {}\n",
+                         name(solve.rotations), counted(solve.iterations->count, "iteration"), solve.iterations->change,
+                         sizeName(solve.rotations));
   lines += fmt::format("seconds      set-up {:.3f}, decomposition {:.3f}, solution {:.3f}\n", solve.seconds.setup,
                        solve.seconds.factorization, solve.seconds.solution);
   return lines;

@@ -335,7 +335,7 @@ TEST_F(FailedNumerics, NameConstraintsThatAreTooCloseToTellApart)
   const std::string sheet = in_.file("sheet.obj", objText(grid(6, 6))).string();
   const ProcessResult result = runBatch(deform(sheet, task));
   EXPECT_EQ(result.exitCode, kNumerical) << result.err;
-  EXPECT_THAT(result.err, testing::ContainsRegex("error: \"[AB]\" is missed by [^ ]*, more than the promised"));
+  EXPECT_THAT(result.err, testing::ContainsRegex("error: \"[AB]\" is missed by [^ ]*, more than its limit"));
   EXPECT_THAT(result.err, HasSubstr("leave one of them out, or move them apart"));
   EXPECT_THAT(out_.names(), ElementsAre("report.json"));
   EXPECT_TRUE(isReport(report(), SolveState::kFailed));

@@ -126,7 +126,7 @@ TEST_F(InspectorOfHandles, FramesThatAreNoneAreRefusedAndMayBeTypedOn)
   EXPECT_EQ(refusal(), "to x: a direction cannot be zero in x, y and z");
   EXPECT_EQ(editor.history().state(), before);
   typeInto("frameToXY", "2");
-  EXPECT_NE(refusal().find("to y: is parallel to \"x\""), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("to y: it is parallel to \"x\""), std::string::npos) << refusal();
   EXPECT_EQ(editor.history().state(), before) << "nothing by half";
   EXPECT_EQ(find("frameToXY").text(), "2");
   typeInto("frameToYX", "-1");
@@ -242,7 +242,7 @@ TEST_F(InspectorOfHandles, OthersSayWhyTheirVerticesHaveNothingOfTheirOwn)
   EXPECT_EQ(editor.history().state(), before);
   handle.select.what = VertexIds{{5, 6, 5}};
   setTip(handle);
-  EXPECT_NE(find<QLabel>("singleVerticesReason").text().toStdString().find("vertex 5 stands in this list before"),
+  EXPECT_NE(find<QLabel>("singleVerticesReason").text().toStdString().find("vertex 5 is in this list already"),
             std::string::npos);
 }
 

@@ -121,7 +121,8 @@ void addNearlyCoincident(Findings& findings, const SolverMesh& mesh, const std::
     widest = std::max(widest, (mesh.rest.row(a) - mesh.rest.row(b)).stableNorm());
   }
   const std::string rest = fmt::format(
-      " up to {:.2g} away, and may move apart: the surface tears there; weld it with a larger tolerance if it is one",
+      " up to {:.2g} away, and may move apart: the surface may tear there; weld with a larger tolerance if they should "
+      "be one",
       widest);
   add(findings, "nearly_coincident_vertices", "vertex", fileVertices(mesh, near),
       {"vertex at an open edge nearly coincides with another," + rest,

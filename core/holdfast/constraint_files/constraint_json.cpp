@@ -41,7 +41,7 @@ RotationAboutFixed readRotationAboutFixed(const JsonReader& handle)
   const JsonReader json = handle["turn"];
   static_cast<void>(json.choice(kTurns, "unknown way to turn {}"));
   if (!handle.has("translate"))
-    json.fail(R"(the handle turns as "translate" moves it about the fixed vertices; add "translate")");
+    json.fail(R"(how far the handle turns follows from "translate", which is missing; add "translate")");
   if (!handle.has("turn_near")) return {};
   return {readAxisAngle(handle["turn_near"])};
 }
@@ -69,7 +69,7 @@ FrameMotion readFrameMotion(const JsonReader& json)
 Motion readMotion(const JsonReader& json)
 {
   if (json.has("turn_near") && !json.has("turn"))
-    json.failBelow(".turn_near", R"(says which "turn" is meant, and there is none; add "turn": "about-fixed")");
+    json.failBelow(".turn_near", R"(it says which "turn" is meant, and there is no "turn"; add "turn": "about-fixed")");
   if (!hasAnyOf(json, kMotions)) return std::monostate{};
   const std::string_view kind = json.oneKeyOf(kMotions);
   if (kind == "rotate") return readAxisRotation(json[kind]);

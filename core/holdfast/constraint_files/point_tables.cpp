@@ -85,7 +85,7 @@ class RowReader {
     for (std::size_t place = titles_.size(); place < count; ++place) isLong = isLong || isNotEmpty(place);
     if (count > lastUsed_ && !isLong) return "";
     const char* const hint =
-        isLong ? "decimal signs are points, and a name with a comma stands in double quotes" : "fill the row up";
+        isLong ? "decimal signs are points, and a name with a comma stands in double quotes" : "complete the row";
     return fmt::format("this row has {} fields, the {} has {}; {}", count, format_.hasHeader ? "header" : "first row",
                        titles_.size(), hint);
   }
@@ -200,7 +200,7 @@ PointTable readPointTable(std::string_view text, const std::string& file, const 
   for (std::size_t k = first; k < records.size(); ++k)
     table.rows.push_back(reader.read(records[k], table.rows.size() + 1));
   if (table.rows.empty())
-    throw InputError({file, table.firstLine, ""}, "there is no row after the header; add a line a point");
+    throw InputError({file, table.firstLine, ""}, "there is no row after the header; add one line for each point");
   markRepeatedNames(table.rows);
   return table;
 }

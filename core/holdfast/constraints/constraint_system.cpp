@@ -236,8 +236,8 @@ class SystemBuilder {
   {
     if (!placement.isDetermined)
       note("undetermined_rotation",
-           "its targets do not say how it turns: they or its vertices lie on a line, or the targets mirror it; the "
-           "rotation that fits is taken, give \"rotations\" if it should be another");
+           "its targets fit more than one rotation: they or its vertices lie on a line, or the targets mirror it; one "
+           "that fits is taken; give \"rotations\" if it should be another");
     if (!statesRotation(handle) && share > kUnsaidRotation)
       note(kUnsaidNote, fmt::format("moved {:.0f} % of its distance to the fixed region without turning; give it "
                                     "a rotation (\"rotate\", or \"turn\": \"about-fixed\") if it should turn",

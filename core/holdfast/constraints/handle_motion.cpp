@@ -165,12 +165,13 @@ PossibleError errorInList(const HandleConstraint& handle, const char* key, std::
   if (const std::size_t k = firstRepeated(vertices->ids); k < vertices->ids.size())
     return HandleError{
         fmt::format(".select.vertices[{}]", k),
-        fmt::format("vertex {} stands in this list before, and \"{}\" has one entry for each vertex; keep one",
+        fmt::format("vertex {} is in this list already, and \"{}\" has one entry for each vertex; keep one",
                     vertices->ids[k], key)};
   if (count != vertices->ids.size())
-    return HandleError{fmt::format(".{}", key),
-                       fmt::format("{} given for the {} vertices of \"select\"; give one for each, in their order",
-                                   count, vertices->ids.size())};
+    return HandleError{
+        fmt::format(".{}", key),
+        fmt::format("this list has {} {} for the {} vertices of \"select\"; give one for each, in their order", count,
+                    count == 1 ? "entry" : "entries", vertices->ids.size())};
   return std::nullopt;
 }
 
@@ -180,7 +181,8 @@ PossibleError errorInFrame(const Frame& frame, const std::string& key)
   if (frame.y.isZero(0)) return HandleError{key + ".y", "a direction cannot be zero in x, y and z"};
   const double sine = frame.x.stableNormalized().cross(frame.y.stableNormalized()).norm();
   if (sine <= kParallel)
-    return HandleError{key + ".y", R"(is parallel to "x", so the frame could turn about it; give another direction)"};
+    return HandleError{key + ".y",
+                       R"(it is parallel to "x", so the frame could turn about it; give another direction)"};
   return std::nullopt;
 }
 

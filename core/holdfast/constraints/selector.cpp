@@ -179,7 +179,7 @@ std::vector<Index> Selector::select(const Selection& selection, const InputLocat
                         [this](const InsideCurve& curve, const InputLocation& place) { return within(curve, place); });
   std::vector<Index> vertices = idsOf(maker.mask(selection, where));
   if (vertices.empty())
-    throw InputError(where, "selects no vertex of the mesh; check its place and size, or remove the constraint");
+    throw InputError(where, "it selects no vertex of the mesh; check its place and size, or remove the constraint");
   return vertices;
 }
 
@@ -189,10 +189,11 @@ std::vector<Index> Selector::within(const InsideCurve& curve, const InputLocatio
   if (!graph_) graph_.emplace(solverMesh_);
   const CurveRegion region = regionOfCurve(*graph_, closedCurve(*graph_, places));
   if (region.inside.empty())
-    throw InputError(where,
-                     "the curve does not divide the surface in two, so nothing is inside: it runs around a handle or "
-                     "along the border, or so tightly that no vertex is left within; lead it around a region that it "
-                     "cuts off, or select the vertices in another way");
+    throw InputError(
+        where,
+        "the curve does not divide the surface in two, so nothing is inside: it runs around a hole as of "
+        "a torus, along the border, or so tightly that no vertex is left within; lead it around a region that it "
+        "cuts off, or select the vertices in another way");
   std::vector<bool> isSelected(static_cast<std::size_t>(solverMesh_.unknownCount()), false);
   for (const std::vector<Index>& part :
        {region.curve, curve.side == CurveSide::Smaller ? region.inside : region.outside})
@@ -226,11 +227,11 @@ std::vector<Index> Selector::placesOf(const InsideCurve& curve, const InputLocat
       throw InputError(here, fmt::format("no face uses vertex {}; name a place of the surface", vertex));
     if (const auto [other, isNew] = placeAt.emplace(unknown, k); !isNew)
       throw InputError(
-          here, fmt::format("goes to vertex {}, as through[{}] does; leave one of them out, or move them apart", vertex,
-                            other->second));
+          here, fmt::format("it goes to vertex {}, as through[{}] does; leave one of them out, or move them apart",
+                            vertex, other->second));
     places.push_back(unknown);
     if (solverMesh_.componentOf[unknown] != solverMesh_.componentOf[places.front()])
-      throw InputError(here, fmt::format("lies on part {} of the mesh, through[0] on part {}, and no edges join the "
+      throw InputError(here, fmt::format("it lies on part {} of the mesh, through[0] on part {}, and no edges join the "
                                          "two; keep a curve to one connected part",
                                          solverMesh_.componentOf[unknown], solverMesh_.componentOf[places.front()]));
   }

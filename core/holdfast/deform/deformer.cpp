@@ -161,7 +161,7 @@ Constraint& Deformer::constraint(std::string_view name)
   std::vector<Constraint>& constraints = state_->constraints.constraints;
   const auto found = std::ranges::find(constraints, name, &Constraint::name);
   if (found == constraints.end())
-    throw InputError({"constraints", 0, {}}, fmt::format("there is none called \"{}\"", name));
+    throw InputError({"constraints", 0, {}}, fmt::format("there is no constraint \"{}\"", name));
   return *found;
 }
 

@@ -162,8 +162,8 @@ std::optional<Finding> lostTurns(const ConstraintSystem& system, const SolverMes
   std::vector<Index> lost = CarriedLogs(system, mesh, q).lost();
   if (lost.empty()) return std::nullopt;
   const std::string what =
-      "whole turns that the surface did not keep: it comes there by the rotations that were found with other turns; "
-      "state the turns in steps, by handles between, or use given rotations";
+      "whole turns that the surface did not keep: the rotations that were found reach the same places with other "
+      "turns; state the turns in steps, by handles between, or use given rotations";
   return makeFinding("turns_lost", "constraint", std::move(lost),
                      {"constraint states " + what, "constraints state " + what});
 }
@@ -181,8 +181,8 @@ std::optional<Finding> overruledRotations(const ConstraintSystem& system, const 
   }
   if (overruled.empty()) return std::nullopt;
   const std::string what = fmt::format(
-      "inside a rigid region that turns by another, by up to {:.3g} degrees: the points of a region decide how it "
-      "turns",
+      "inside a rigid region whose points ask for another, up to {:.3g} degrees away: the points decide how the "
+      "region rotates",
       largest);
   return makeFinding("rotations_overruled", "constraint", std::move(overruled),
                      {"constraint gives a rotation " + what, "constraints give rotations " + what});
@@ -210,8 +210,8 @@ std::optional<Finding> flatSaddle(const SaddleTest& test)
                  1,
                  "solution",
                  {},
-                 "a flat part was pushed together and stayed flat, which is no minimum: it would give way to either "
-                 "side, and nothing says to which; move a point of it a little out of its plane"};
+                 "a flat part was pushed together and stayed flat, which is no minimum: it would bend to either side, "
+                 "and nothing says to which; move a point of it a little out of its plane"};
 }
 
 }  // namespace holdfast

@@ -24,7 +24,8 @@ std::vector<Index> partsAtRest(const Model& model, const EliminatedConstraints& 
 
 Finding nearlyDependent(std::vector<Index> spread, double largest)
 {
-  const std::string amount = fmt::format("a unit of inconsistency moves vertices by up to {:.2g} units; ", largest);
+  const std::string amount =
+      fmt::format("where targets disagree by one unit, vertices move by up to {:.2g}; ", largest);
   return makeFinding(
       "nearly_dependent_constraints", "constraint", std::move(spread),
       {"constraint nearly follows from others: " + amount + "move its points apart, or leave it out",
@@ -50,21 +51,21 @@ bool gaveWay(const Dependency& dependency)
 Finding undecided(std::vector<Index> constraints)
 {
   const std::string what =
-      ", so closely that it could not be held with them; left out as if it did: move its point, or leave it out";
+      ", so closely that it could not be held with them; its rows were left out: move its point, or leave it out";
   return makeFinding("undecided_constraints", "constraint", std::move(constraints),
                      {"constraint nearly follows from constraints before it" + what,
                       "constraints nearly follow from constraints before them, so closely that they could not be held "
-                      "with them; left out as if they did: move their points, or leave some out"});
+                      "with them; their rows were left out: move their points, or leave some out"});
 }
 
 Finding laterStand(std::vector<Index> constraints)
 {
   const std::string why =
-      ", since their order takes more digits than doubles have: where so many rows are close, they are taken in "
-      "strides; list points in a random order to have it kept";
-  return makeFinding(
-      "later_constraints_stand", "constraint", std::move(constraints),
-      {"constraint gave way to constraints behind it" + why, "constraints gave way to constraints behind them" + why});
+      ": the order of the list takes more digits than doubles have; list the points in a random order to have their "
+      "order kept";
+  return makeFinding("later_constraints_stand", "constraint", std::move(constraints),
+                     {"constraint has lower precedence than constraints behind it" + why,
+                      "constraints have lower precedence than constraints behind them" + why});
 }
 
 // Fewer are named one by one, and may be mended so.
@@ -82,7 +83,7 @@ Finding crowded(std::vector<Index> constraints)
 /// The residual of a row and its limit.
 std::string missText(const Report& report, const MissedRow& row)
 {
-  return fmt::format("{} is missed by {:.3g}, more than the promised {:.3g}",
+  return fmt::format("{} is missed by {:.3g}, more than its limit {:.3g}",
                      inQuotes(report.constraints[row.constraint].name), row.residual, row.limit);
 }
 
@@ -111,8 +112,10 @@ std::string lossText(const DeformDetails& details, const DeterminedPart& part)
 std::string accuracyFailure(double accuracy)
 {
   if (accuracy <= kUsableAccuracy) return "";
-  return fmt::format("it is accurate to {:.1g} only, and {:g} is needed: the problem is nearly singular", accuracy,
-                     kUsableAccuracy);
+  return fmt::format(
+      "it is accurate to {:.1g} only, and {:g} is needed: the problem is nearly singular; hold more places, or repair "
+      "thin triangles",
+      accuracy, kUsableAccuracy);
 }
 
 std::optional<Finding> accuracyWarning(const std::string& kind, const std::string& what, double accuracy)
@@ -152,7 +155,7 @@ Finding unconvergedWarning(const RotationIterations& iterations, const RotationO
           {},
           fmt::format("rotations still change after {} iterations: the last one moved a vertex by {:.2g} of the {}, "
                       "and {:g} is asked for; constraints hold all the same; ask for a larger "
-                      "\"rotation_change\", or for less far a move",
+                      "\"rotation_change\", or for a smaller move",
                       iterations.count, iterations.change, sizeName(options.source), options.change)};
 }
 
@@ -192,9 +195,8 @@ std::string solvedMessage(const Report& report, const std::optional<MissedRow>& 
            accuracy;
   const std::string leftOut = fmt::format(
       "{} of {} constraints conflict with earlier ones and were left out where they do; ", conflicting, count);
-  const std::string nearly =
-      fmt::format("{} of {} constraints are met only approximately{}, as is the nature of the {} solver", missed, count,
-                  by, name(kind));
+  const std::string nearly = fmt::format(
+      "{} of {} constraints are met only approximately{}; the solver \"hard\" meets them exactly", missed, count, by);
   const std::string all = conflicting > 0 ? "all others are met" : "all constraints are met";
   return (conflicting > 0 ? leftOut : "") + (missed > 0 ? nearly : all) + accuracy;
 }
@@ -209,7 +211,7 @@ std::string missedMessage(const Report& report, const MissedRow& row)
         missText(report, row), sensitivity);
   return fmt::format(
       "{}; the cause is not known (amplification of the constraint {:.2g}, {} of the solution); it may help to leave "
-      "it out, or those that hold its vertices, or to ask for less far a move",
+      "it out, or those that hold its vertices, or to ask for a smaller move",
       missText(report, row), sensitivity, accuracyText(report.solve.accuracy));
 }
 

@@ -56,10 +56,11 @@ void requireSparseRows(const SolverMesh& mesh, const std::string& source)
   constexpr double kMost = kMostTrianglesAtAVertex;
   if (squares <= kMost * kMost) return;
   const auto largest = std::max_element(count.begin(), count.end());
-  throw InputError({source, 0, fmt::format("vertex {}", mesh.weld.firstVertexOf[largest - count.begin()])},
-                   fmt::format("{} triangles meet here; more than {} at one vertex, or as much by the sum of squares "
-                               "at several of more than {}, would fill the memory: divide the faces so that fewer meet",
-                               *largest, kMostTrianglesAtAVertex, kMany));
+  throw InputError(
+      {source, 0, fmt::format("vertex {}", mesh.weld.firstVertexOf[largest - count.begin()])},
+      fmt::format("{} triangles meet here, which would fill the memory; divide the faces so that at most {} "
+                  "meet at a vertex (of several with more than {}, the root of the sum of squares counts)",
+                  *largest, kMostTrianglesAtAVertex, kMany));
 }
 
 }  // namespace
@@ -84,7 +85,7 @@ Model makeModel(Mesh mesh, const std::string& source, double weldTolerance)
   requireUsableWeld(model.mesh, source, weldTolerance);
   model.solverMesh = makeSolverMesh(model.mesh, model.triangulation, weldTolerance, withoutPlace);
   if (!std::isfinite(model.solverMesh.diagonal))
-    throw InputError({source, 0, ""}, "the mesh is larger than a double can say; scale it down");
+    throw InputError({source, 0, ""}, "the mesh is too large for doubles; scale it down");
   if (!(model.solverMesh.diagonal > 0))
     throw InputError({source, 0, ""}, "all vertices lie in one place; the mesh has no size to deform");
   requireSparseRows(model.solverMesh, source);

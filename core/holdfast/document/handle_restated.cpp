@@ -77,8 +77,8 @@ HandleConstraint byFrames(const HandleConstraint& handle, const HandleSetting& s
   if (!turns)
     throw InputError(
         setting.where,
-        fmt::format("the handle turns by {} degrees, as good as whole turns, and frames that lie alike say "
-                    "no axis; let it turn about an axis",
+        fmt::format("the handle turns by {} degrees, nearly whole turns, so the frames would have the same axes and no "
+                    "axis to turn about; let it turn about an axis",
                     angleDegrees(rotationLog(turn.axis, turn.degrees))));
   frames.turns = *turns;
   HandleConstraint result = handle;

@@ -138,7 +138,7 @@ class Mirror {
       if (around.squaredExteriorDistance(reflected(model_.mesh.positions.row(v))) <= reach * reach &&
           std::ranges::binary_search(selected, counterpart(v)))
         mirrored.ids.push_back(v);
-    if (mirrored.ids.empty()) throw InputError({}, "the mesh has nothing beyond the plane where it would be");
+    if (mirrored.ids.empty()) throw InputError({}, "the mesh has no vertices beyond the plane where the copy would be");
     selection.what = std::move(mirrored);
   }
 

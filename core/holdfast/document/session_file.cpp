@@ -371,7 +371,7 @@ StatedConstraints readStatedConstraints(const fs::path& path, BadRows badRows)
     return {std::move(points.list), {}, std::move(points.skippedRows)};
   }
   if (badRows == BadRows::Skip)
-    throw InputError({name, 0, ""}, "this is no point list, and rows can be skipped of point lists only");
+    throw InputError({name, 0, ""}, "this is no point list, and bad rows can be skipped only in point lists");
   const JsonValue root = parseJson(text, name);
   const JsonReader json(root, name);
   return {readConstraintDocument(json), json.has("options") ? readOptions(json["options"]) : StatedOptions{}};

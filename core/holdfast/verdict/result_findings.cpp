@@ -21,7 +21,7 @@ void addAbout(Findings& findings, const char* kind, const char* idsOf, std::vect
   if (!ids.empty()) findings.push_back(makeFinding(kind, idsOf, std::move(ids), {words.one + text, words.many + text}));
 }
 
-const char* const kGentler = "; ask for less far a move there, or let rotations be found";
+const char* const kGentler = "; ask for a smaller move there, or let rotations be found";
 
 /// What a part's rotation is given by, whatever its size.
 bool hasStatedRotation(const ConstraintSystem& system, const SolverMesh& mesh, int part)
@@ -47,7 +47,7 @@ void addTurned(Findings& findings, const WholeMotion& motion)
   addAbout(
       findings, "turned_targets", "constraint", motion.constraints, {"point goes", "points go"},
       fmt::format(" where a rotation by {:.3g} degrees about ({:.3g}, {:.3g}, {:.3g}) takes them, and no rotation is "
-                  "given: detail stays as it was turned at rest; let rotations be found, or turn the mesh first if "
+                  "given: detail keeps its directions; let rotations be found, or turn the mesh first if "
                   "the targets were measured in other coordinates",
                   degrees, axis.x(), axis.y(), axis.z()));
 }
@@ -120,8 +120,8 @@ void addOvershootFindings(Findings& findings, const Overshoot& overshoot)
   addAbout(
       findings, "overshooting_points", "constraint", overshoot.constraints, {"point makes", "points make"},
       fmt::format(" vertices {}: the points nearly contradict one another; leave some of them out, keep them farther "
-                  "apart than the faces are large, or use the solver \"soft\", where a weight in place of an exact "
-                  "target is the tolerance",
+                  "apart than the faces are large, or use the solver \"soft\": its weight is their "
+                  "tolerance",
                   size));
 }
 

@@ -226,7 +226,7 @@ TEST(CurveSelector, RefusesCurvesThatDoNotDivideTheSurface)
 {
   const Mesh ring = torus(12, 24);
   EXPECT_THAT(refusal(ring, {through({0, 4, 8})}, ".curve"), HasSubstr("does not divide the surface in two"));
-  EXPECT_THAT(refusal(ring, {through({0, 96, 192})}, ".curve"), HasSubstr("around a handle"));
+  EXPECT_THAT(refusal(ring, {through({0, 96, 192})}, ".curve"), HasSubstr("around a hole as of a torus"));
   EXPECT_EQ(refusal(ring, {through({24, 28, 76, 72})}, ""), "") << "a patch of it";
   const Mesh sheet = test::grid(4, 4);
   EXPECT_THAT(refusal(sheet, {through({0, 4, 24, 20})}, ".curve"), HasSubstr("along the border"));

@@ -93,16 +93,16 @@ TEST(HandleErrors, TargetsAndRotationsHaveOneEntryForEachListedVertex)
   const std::string turn = R"({"axis": [0,0,1], "degrees": 9})";
   const std::string repeated = R"({"type": "handle", "select": {"vertices": [7, 3, 7]}, )";
   expectHandleRefused(kPart + kThree + "}", ".select", R"("targets" has one entry for each vertex of a list)");
-  expectHandleRefused(kIds + R"("targets": [[0,0,0], [1,0,0]]})", ".targets", "2 given for the 3 vertices");
+  expectHandleRefused(kIds + R"("targets": [[0,0,0], [1,0,0]]})", ".targets", "2 entries for the 3 vertices");
   expectHandleRefused(kIds + R"("targets": []})", ".targets", "empty");
   expectHandleRefused(kIds + R"("targets": [[0,0,0], [1,0], [2,0,0]]})", ".targets[1]", "[x, y, z]");
-  expectHandleRefused(repeated + kThree + "}", ".select.vertices[2]", "vertex 7 stands in this list before");
+  expectHandleRefused(repeated + kThree + "}", ".select.vertices[2]", "vertex 7 is in this list already");
   expectHandleRefused(R"({"type": "handle", "select": {"vertices": [7, 3]}, "targets": [[0,0,0], [1,0,0]]})",
                       ".targets", R"(at least 3 vertices say how a handle turns, this one has 2)");
   expectHandleRefused(kPart + R"("translate": [0,0,1], "rotations": [)" + turn + "]}", ".select",
                       R"("rotations" has one entry)");
   expectHandleRefused(kIds + R"("translate": [0,0,1], "rotations": [)" + turn + "]}", ".rotations",
-                      "1 given for the 3 vertices");
+                      "1 entry for the 3 vertices");
   expectHandleRefused(repeated + R"("rotations": [)" + turn + "," + turn + "," + turn + "]}", ".select.vertices[2]",
                       R"("rotations" has one entry for each vertex)");
   expectHandleRefused(kIds + R"("rotations": [{"axis": [0,0,0], "degrees": 1}]})", ".rotations[0].axis",
@@ -164,12 +164,12 @@ TEST(HandleErrors, OfListsThatWereNotReadAreFoundToo)
 {
   HandleConstraint handle{{VertexIds{{1, 4, 8}}}, {}, Vector3(0, 0, 1), {}};
   handle.motion = VertexTargets{{{0, 0, 0}, {1, 1, 1}}};
-  expectUnusable(handle, ".targets", "2 given for the 3 vertices");
+  expectUnusable(handle, ".targets", "2 entries for the 3 vertices");
   handle.motion = FrameMotion{{}, {std::nullopt, {0, 0, 0}, {0, 1, 0}}, 0};
   expectUnusable(handle, ".frame.to.x", "cannot be zero");
   handle.motion = std::monostate{};
   handle.rotations.resize(4);
-  expectUnusable(handle, ".rotations", "4 given for the 3 vertices");
+  expectUnusable(handle, ".rotations", "4 entries for the 3 vertices");
   handle.select = {AllOf{}};
   expectUnusable(handle, ".select", R"(select by "vertices")");
 }

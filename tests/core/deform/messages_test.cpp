@@ -27,7 +27,7 @@ TEST(MissedMessage, NamesTheConstraintItsResidualAndItsLimit)
 {
   for (const double sensitivity : {1.0, 1e8})
     EXPECT_THAT(missedMessage(reportOf(sensitivity), {1, 2e-9, 5e-12}),
-                HasSubstr("\"P1\" is missed by 2e-09, more than the promised 5e-12"));
+                HasSubstr("\"P1\" is missed by 2e-09, more than its limit 5e-12"));
 }
 
 TEST(MissedMessage, BlamesConstraintsThatNearlyRepeatItWhereItsAmplificationShowsThem)
@@ -54,8 +54,8 @@ TEST(SolvedMessage, NamesTheConstraintThatIsMissedMost)
   Report report = reportOf(1);
   report.solve.options.kind = SolverKind::Lagrange;
   EXPECT_THAT(solvedMessage(report, MissedRow{1, 2e-9, 5e-12}),
-              HasSubstr("1 of 2 constraints are met only approximately (\"P1\" is missed by 2e-09, more than the "
-                        "promised 5e-12), as is the nature of the lagrange solver"));
+              HasSubstr("1 of 2 constraints are met only approximately (\"P1\" is missed by 2e-09, more than its "
+                        "limit 5e-12); the solver \"hard\" meets them exactly"));
 }
 
 }  // namespace

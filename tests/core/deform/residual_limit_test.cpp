@@ -98,7 +98,7 @@ TEST(ResidualLimit, OfTheRowThatIsMissedMostIsInTheMessage)
   const auto worst = std::ranges::max_element(report.constraints.all(), {}, excess);
   ASSERT_GT(*report.constraints[2].residual, *worst->residual);
   EXPECT_THAT(report.solve.message,
-              testing::HasSubstr(fmt::format("\"{}\" is missed by {:.3g}, more than the promised {:.3g}", worst->name,
+              testing::HasSubstr(fmt::format("\"{}\" is missed by {:.3g}, more than its limit {:.3g}", worst->name,
                                              *worst->residual, *worst->limit)));
 }
 

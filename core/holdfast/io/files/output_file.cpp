@@ -58,7 +58,7 @@ const char* remedy(int code)
   if (code == EFBIG) return "raise the limit on the size of files (ulimit -f)";
   if (code == ENAMETOOLONG) return "choose a shorter name";
   if (code == ELOOP) return "the symbolic links lead in a circle; remove one";
-  if (code == EPIPE) return "who reads the pipe has closed it; let it read to the end";
+  if (code == EPIPE) return "the reader of the pipe has closed it; let it read to the end";
   return "nothing was changed; try another place";
 }
 

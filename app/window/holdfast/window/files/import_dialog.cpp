@@ -240,14 +240,15 @@ class ImportDialog : public QDialog {
       if (count > 0) parts << (count == 1 ? one : several.arg(count));
     };
     if (const auto& table = model_.contents().table; table && table->doubt)
-      parts << tr("What the columns mean is not sure: %1.").arg(toText(table->doubt->reason));
+      parts << tr("It is not certain what the columns mean: %1.").arg(toText(table->doubt->reason));
     const QString reach = tr(", %1 from the surface at most and %2 on average.")
                               .arg(lengthText(preview.maxDistance, style), lengthText(preview.meanDistance, style));
     add(model_.faultyRows(), tr("One row has a fault: it is marked, and left out unless it is ticked."),
         tr("%1 rows have faults: they are marked, and left out unless they are ticked."));
     add(static_cast<Index>(preview.points.size()), tr("One point") + reach, tr("%1 points") + reach);
-    add(model_.farPoints(), tr("One lies farther away than below: is it in another unit or coordinate system?"),
-        tr("%1 lie farther away than below: are they in another unit or coordinate system?"));
+    add(model_.farPoints(),
+        tr("One lies farther away than the tolerance below: is it in another unit or coordinate system?"),
+        tr("%1 lie farther away than the tolerance below: are they in another unit or coordinate system?"));
     add(preview.others, tr("One constraint by ids or regions of the mesh."),
         tr("%1 constraints by ids or regions of the mesh."));
     add(preview.takenNames, tr("One name is taken: its constraint gets another."),

@@ -51,7 +51,7 @@ class LocationSection : public SectionOf<PointConstraint> {
                 [](PointConstraint& point, double t) {
                   if (t < 0 || t > 1)
                     throw InputError(
-                        {}, "t is " + exactText(t).toStdString() + ", but only from 0 to 1 is the point on the edge");
+                        {}, "t is " + exactText(t).toStdString() + ", but the point is on the edge only from 0 to 1");
                   std::get<AtEdge>(point.at).t = t;
                 }),
             tr("The share of the first vertex: 1 there, 0 at the second"));

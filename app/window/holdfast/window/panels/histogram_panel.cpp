@@ -228,7 +228,7 @@ void HistogramPanel::refreshResiduals()
   const double promise = std::ranges::min(deformation.details->diagnosis.limits) / diagonal;
   ChartTexts texts;
   texts.title =
-      tr("Residuals: %1 of %2 within their limits, the least dashed").arg(withinLimits).arg(histogram.valueCount);
+      tr("Residuals: %1 of %2 within their limits (dashed: the smallest)").arg(withinLimits).arg(histogram.valueCount);
   texts.valueAxis = tr("residual / diagonal of the bounding box");
   texts.countAxis = tr("constraints");
   const std::string units = editor_.deformedState()->list.units;

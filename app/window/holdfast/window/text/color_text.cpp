@@ -66,7 +66,7 @@ FieldText fieldText(ColorBy field, const QString& units, Weights weights)
        {QObject::tr("Displacement"), QObject::tr("How far each vertex is from its place at rest.") + with(length)}},
       {ColorBy::Detail,
        {QObject::tr("Detail residual"),
-        QObject::tr("How far the detail is from that at rest, rotated: where the shape had to give way.") +
+        QObject::tr("How far the detail is from that at rest, rotated: where the shape could not be kept.") +
             with(weights == Weights::Uniform ? length : inverse)}},
       {ColorBy::Force,
        {QObject::tr("Force"),

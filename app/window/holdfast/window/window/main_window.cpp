@@ -170,7 +170,8 @@ void MainWindow::take(const QStringList& paths)
   const QString& path = document == paths.end() ? paths.front() : *document;
   const QString name = QFileInfo(path).fileName();
   if (paths.size() > 1)
-    status_->showMessage(tr("One file at a time: %1 is taken, %2 more not").arg(name).arg(paths.size() - 1), 12000);
+    status_->showMessage(tr("One file at a time: %1 is opened, %2 more are not").arg(name).arg(paths.size() - 1),
+                         12000);
   if (!isListFile(path)) return files_.open(path);
   if (editor_.isOpen()) return files_.importConstraints(path);
   showProblem(this, tr("“%1” cannot be opened.").arg(name),

@@ -346,7 +346,7 @@ void MainWindow::makeViewMenu()
                      tr("Show only the faces of the selection, with their constraints"), Needs::Vertices,
                      [this, isDone] { isDone(viewport_->isolate(editor_.selectedVertices())); }},
                     {"hideSelection", tr("Hi&de the selection"), "Ctrl+H",
-                     tr("Show and pick the faces of the selection no more"), Needs::Vertices,
+                     tr("Hide the faces of the selection; they cannot be picked then"), Needs::Vertices,
                      [this, isDone] {
                        if (isDone(viewport_->hide(editor_.selectedVertices()))) editor_.selectVertices({});
                      }},
