@@ -171,7 +171,7 @@ Figures takeOwnTurn(Samples& samples, const SparseMatrix& lower)
     factor = factorizeMultifrontal(symbolic, inOrder(lower, symbolic->order));
   });
   if (!factor) throw std::runtime_error(factor.failure);
-  // As CHOLMOD's: right-hand sides and solutions are in the order of the matrix.
+  // As with CHOLMOD, right-hand sides and solutions are in the order of the matrix.
   const Columns3 ones = Columns3::Ones(lower.cols(), 3);
   Columns3 solution = ones;
   std::vector<double> x(4 * order.size());

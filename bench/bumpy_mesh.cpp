@@ -51,7 +51,7 @@ void addSide(Polygons& faces, CubeSurface& cube, Random& random, Index divisions
     }
 }
 
-/// Where a node lies on the unit sphere, shaken by up to a third of the distance to its neighbours.
+/// Returns the place of a node on the unit sphere, shaken by up to a third of the distance to its neighbours.
 Vector3 direction(const Node& node, Index divisions, Random& random)
 {
   Vector3 place;

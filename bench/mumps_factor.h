@@ -18,7 +18,7 @@ class MumpsFactor {
   MumpsFactor& operator=(const MumpsFactor&) = delete;
 
   void factorize();
-  /// For three columns of ones.
+  /// Solves for three columns of ones.
   void solve();
   [[nodiscard]] double entries() const;
   [[nodiscard]] double operations() const;

@@ -1,4 +1,4 @@
-// Whether results have the same bits on one core and on all, and how much faster all of them are.
+// This benchmark tells whether results have the same bits on one core and on all, and how much faster all of them are.
 
 #include <memory>
 #include <string>

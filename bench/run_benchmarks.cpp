@@ -12,7 +12,7 @@
 namespace holdfast::bench {
 namespace {
 
-/// As many as fit into a minute, and one where nothing but the benchmark itself can be measured.
+/// Returns as many turns as fit into a minute, and one where nothing but the benchmark itself can be measured.
 Index turnsFor(Index thousands)
 {
   return thousands < 10 ? 1 : std::clamp<Index>(600 / thousands, 1, 9);

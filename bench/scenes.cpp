@@ -39,7 +39,7 @@ Constraint point(Index number, SurfaceLocation at, const Vector3& shift)
   return {"P" + std::to_string(number), true, PointConstraint{std::move(at), Move{shift}}};
 }
 
-/// Whether each vertex lies at an end, or as near to one as no point may.
+/// Tells whether each vertex lies at an end, or as near to one as no point may.
 std::vector<bool> nearEnds(const Mesh& mesh)
 {
   const Eigen::AlignedBox3d box = boundingBox(mesh.positions);

@@ -11,8 +11,8 @@ namespace holdfast::bench {
 /// moved aside and turned by a handle. The meshes are of triangles.
 inline constexpr std::size_t kEnds = 2;
 
-/// As in Fig. 12 of the paper: 300 isolated points each on vertices, on edges and in faces, fewer on small meshes, that
-/// move by a hundredth of the length. Another `set` has other points.
+/// Returns the constraints of Fig. 12 of the paper: 300 isolated points each on vertices, on edges and in faces, fewer
+/// on small meshes, that move by a hundredth of the length. Another `set` has other points.
 [[nodiscard]] ConstraintList scene(const Mesh& mesh, std::uint32_t set = 0);
 
 /// `count` points in faces that share no vertex. Throws std::runtime_error where the mesh has no room for them.

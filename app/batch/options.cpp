@@ -108,7 +108,7 @@ std::filesystem::path writtenFile(std::filesystem::path path)
   return error ? path : end;
 }
 
-/// Whether both names lead to one file, which need not exist. Hard links of one file count as one.
+/// Tells whether both names lead to one file, which need not exist. Hard links of one file count as one.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b)
 {
   std::error_code ignored;

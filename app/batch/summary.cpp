@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostPulling = 5;
 constexpr std::size_t kMostConflictLines = 5;
 
-// As a share of the length of a vector: smaller components are rounding errors.
+// A share of the length of a vector: smaller components are rounding errors.
 constexpr double kLeastComponent = 1e-6;
 
 std::string withUnits(double length, const std::string& units)
@@ -51,7 +51,8 @@ std::string findingText(const Finding& finding, const ConstraintOutcomes& constr
   return fmt::format("{}{}{}", printable(finding.message), names.empty() ? "" : ": ", quotedNames(names, names.size()));
 }
 
-/// Whether it is about the solution or what that made of the part, or may make the result another one than was meant.
+/// Tells whether it is about the solution or what that made of the part, or may make the result another one than was
+/// meant.
 bool isWarning(const Finding& finding, const ResultVerdict& result)
 {
   constexpr std::array<std::string_view, 4> kKinds{"places_off_surface", "places_in_one_spot", "places_between_sides",

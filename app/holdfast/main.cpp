@@ -26,11 +26,11 @@
 namespace holdfast {
 namespace {
 
-// As those of holdfast-batch.
+// The codes are those of holdfast-batch.
 constexpr int kUsage = 2;
 constexpr int kNoDisplay = 3;
 
-// As VTK needs it.
+// VTK needs this version.
 constexpr QPair<int, int> kLeastOpenGl(3, 2);
 
 /// Reports what no code has caught, a mistake of ours or of the machine; the document is still there.
@@ -63,7 +63,7 @@ bool hasOpenGl(int argc, char** argv)
   return context.create() && context.makeCurrent(&surface) && context.format().version() >= kLeastOpenGl;
 }
 
-/// Whether Qt can draw as it is asked to, or on a Wayland compositor that it does not look for by itself.
+/// Tells whether Qt can draw as it is asked to, or on a Wayland compositor that it does not look for by itself.
 bool findOpenGl(int argc, char** argv)
 {
   const auto isThere = [&] { return succeedsInChild([&] { return hasOpenGl(argc, argv); }); };

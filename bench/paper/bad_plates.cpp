@@ -123,7 +123,7 @@ double starArea(double ratio)
   return literalVoronoiAreas(corners, {{0, 1, 2}})[0];
 }
 
-/// Where `starArea` is 0.
+/// Returns the ratio at which `starArea` is 0.
 double cancellingRatio()
 {
   double low = 0.05;

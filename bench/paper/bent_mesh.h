@@ -46,7 +46,7 @@ struct BentProblem {
 /// n x k: an identity column for each unknown that constraints place, in the order of elimination.
 [[nodiscard]] SparseMatrix freeColumns(const BentMesh& bent);
 
-/// As the product's solvers take it.
+/// Returns the problem as the product's solvers take it.
 [[nodiscard]] ConstrainedProblem constrainedProblem(const BentMesh& bent, const BentProblem& problem);
 
 }  // namespace holdfast::paper

@@ -24,8 +24,8 @@ struct Recipe {
   Rows rows = Rows::Printed;
 };
 
-/// As printed in (10), cotangent weights; with one cure each and with two; the product's default; that on intrinsic
-/// Delaunay edges, without guarded cotangents and with them.
+/// Returns cotangent weights as printed in (10), with one cure each and with two; the product's default; and that
+/// default on intrinsic Delaunay edges, without guarded cotangents and with them.
 [[nodiscard]] const std::vector<Recipe>& allRecipes();
 
 /// The rows, n x n, weighted. They may be infinite or NaN.

@@ -17,7 +17,7 @@ struct IntrinsicTriangles {
   std::vector<std::array<double, 3>> lengths;
 };
 
-/// Those of a mesh as it is.
+/// Returns the intrinsic triangles of a mesh as it is.
 [[nodiscard]] IntrinsicTriangles intrinsicTriangles(const Positions& positions, std::vector<Triangle> triangles);
 
 /// Flips every edge between two triangles whose opposite angles are more than 180 degrees together, until there is

@@ -26,7 +26,7 @@ inline constexpr const char* kNotFinite = "not finite";
 /// A larger error is visible in a picture of the whole mesh: nothing worth the name is solved.
 inline constexpr double kLostError = 1e-3;
 
-/// Those of displacements `u`, judged by `reference`.
+/// Returns the outcome of displacements `u`, judged by `reference`.
 [[nodiscard]] Outcome judged(const BentProblem& problem, const Columns3& u, const Columns3& reference, double seconds);
 
 /// Of one LU factorisation with its solution.
@@ -38,7 +38,7 @@ inline constexpr Limits kLuLimits{600, 12};
 /// In single precision, matrices and factors included, both by Eigen.
 [[nodiscard]] Outcome solvedInSingle(const BentMesh& bent, const BentProblem& problem, const Method& method,
                                      const Columns3& reference);
-/// As the product solves it, with all that it does.
+/// Solves the problem as the product does, with all that it does.
 [[nodiscard]] Outcome solvedByProduct(const BentMesh& bent, const BentProblem& problem, const Method& method,
                                       const Columns3& reference);
 

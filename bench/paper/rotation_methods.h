@@ -44,7 +44,7 @@ struct RotationMethod {
 /// Of the headers that were compiled. Throws as `cgalMethods` does.
 [[nodiscard]] std::string cgalVersion();
 
-/// Those of both.
+/// Returns the methods of both.
 [[nodiscard]] std::vector<RotationMethod> allRotationMethods();
 
 }  // namespace holdfast::paper

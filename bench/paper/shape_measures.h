@@ -29,7 +29,7 @@ struct Spread {
 /// Every vertex of the file.
 [[nodiscard]] std::vector<Index> allVertices(const Model& model);
 
-/// Those that `selection` names, curves among them, ascending.
+/// Returns the vertices that `selection` names, curves among them, ascending.
 [[nodiscard]] std::vector<Index> verticesOf(const Model& model, const Selection& selection);
 
 }  // namespace holdfast::paper

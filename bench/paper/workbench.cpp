@@ -26,7 +26,7 @@ std::string asTyped(std::vector<std::string> command)
   return fmt::format("{}", fmt::join(command, " "));
 }
 
-/// As one word of a shell.
+/// Returns `word` as one word of a shell.
 std::string quoted(const std::string& word)
 {
   std::string text = "'";

@@ -15,7 +15,7 @@
 
 namespace holdfast::test {
 
-/// Whether holdfast-batch was built with VTK.
+/// True if holdfast-batch was built with VTK.
 #ifdef HOLDFAST_WITH_VTK
 inline constexpr bool kHasVtk = true;
 #else

@@ -21,7 +21,7 @@ class GeneratedTask {
 
   [[nodiscard]] const std::filesystem::path& mesh() const noexcept { return mesh_; }
   [[nodiscard]] const std::filesystem::path& constraints() const noexcept { return constraints_; }
-  /// Where `deform` writes with these weights, in the format of the mesh.
+  /// Returns the file that `deform` writes with these weights, in the format of the mesh.
   [[nodiscard]] std::filesystem::path out(Weights weights) const;
 
   /// Runs holdfast-batch. A run of twenty minutes is given up.

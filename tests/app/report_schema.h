@@ -10,7 +10,7 @@ namespace holdfast::test {
 /// How far the run came that made the report; what was not computed is null.
 enum class SolveState { kSolved, kFailed, kNotRun };
 
-/// Whether `report` has every key of the format with a value of its type and range, and no value outside what the
+/// Tells whether `report` has every key of the format with a value of its type and range, and no value outside what the
 /// format lists.
 [[nodiscard]] testing::AssertionResult isReport(const nlohmann::json& report, SolveState state);
 

@@ -149,7 +149,7 @@ TEST_F(Usage, AnInputIsNeverOverwritten)
   EXPECT_THAT(in_.names(), testing::ElementsAre("constraints.json", "sphere.obj"));
 }
 
-/// Whether a run with these arguments loads a library of VTK.
+/// Tells whether a run with these arguments loads a library of VTK.
 bool loadsVtk(const std::vector<std::string>& arguments)
 {
   std::vector<std::string> command{"env", "LD_DEBUG=files", HOLDFAST_BATCH_PROGRAM};

@@ -28,7 +28,7 @@ struct GizmoFixture : InteractionFixture {
   }
 };
 
-/// Where a place, given along the gizmo's axes in radii of its outer ring, is on the display.
+/// Returns the pixel of a place that is given along the gizmo's axes, in radii of its outer ring.
 [[nodiscard]] inline DisplayPoint placeOnGizmo(GizmoRepresentation& gizmo, const Vector3& place)
 {
   const DisplayTransform view(*gizmo.GetRenderer());

@@ -36,7 +36,7 @@ class Mouse {
   void release(const DisplayPoint& place, const Held& held = {});
   /// Presses and releases there, without moving.
   void click(const DisplayPoint& place, const Held& held = {});
-  /// As the adapters of VTK send it: the second press with a repeat count of 1.
+  /// Sends the second press with a repeat count of 1, as the adapters of VTK do.
   void doubleClick(const DisplayPoint& place, const Held& held = {});
   /// Presses at the first place, moves through all others, releases at the last.
   void drag(const std::vector<DisplayPoint>& way, const Held& held = {});

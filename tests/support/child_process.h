@@ -18,7 +18,7 @@ struct ProcessOptions {
   std::optional<long> addressSpace;
   /// Standard output is a pipe whose reader has gone.
   bool isOutUnread = false;
-  /// Where standard output or standard error goes; nothing of it is in the result then.
+  /// The files that get standard output and standard error; the result has nothing of them then.
   std::string outPath;
   std::string errPath;
   /// Permissions count also where the tests are run by root, for whom otherwise no folder is read-only.

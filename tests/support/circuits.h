@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Dependent rows by their definition, with all subsets tried. For half a dozen rows.
+/// Dependent rows by their definition, with all subsets tried. It takes half a dozen rows at most.
 
 #include <vector>
 

@@ -22,7 +22,7 @@ class Latch {
     changed_.notify_all();
   }
 
-  /// Whether it was opened in time.
+  /// Tells whether it was opened in time.
   [[nodiscard]] bool wait()
   {
     std::unique_lock lock(mutex_);

@@ -11,8 +11,8 @@
 
 namespace holdfast::test {
 
-/// The vertices on the curve and on its smaller side. For meshes of triangles without repeated vertices, on which no
-/// two paths are equally long, and curves through `near` places that do not cross themselves.
+/// The vertices on the curve and on its smaller side. It serves meshes of triangles without repeated vertices, on which
+/// no two paths are equally long, and curves through `near` places that do not cross themselves.
 [[nodiscard]] std::set<long> insidePlain(const nlohmann::json& curve, const PlainMesh& mesh);
 
 }  // namespace holdfast::test

@@ -24,7 +24,7 @@ using PlainPlace = std::array<long double, 3>;
                                                                       const std::vector<long>& fixed,
                                                                       const PlainMesh& rest);
 
-/// Whether the handle is turned: if not, it goes to places that can be copied.
+/// Tells whether the handle is turned: if not, it goes to places that can be copied.
 [[nodiscard]] bool isTurned(const nlohmann::json& handle);
 
 }  // namespace holdfast::test

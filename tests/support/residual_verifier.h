@@ -34,7 +34,7 @@ struct Verification {
 /// The largest residual that Holdfast promises, as a share of the bounding box's diagonal.
 inline constexpr double kPromisedResidual = 1e-12;
 
-/// Whether the mesh file `written` has the faces of `rest` and meets the constraints as promised: residuals up to
+/// Tells whether the mesh file `written` has the faces of `rest` and meets the constraints as promised: residuals up to
 /// `kPromisedResidual` of the diagonal, pins bit for bit.
 [[nodiscard]] testing::AssertionResult meetsConstraints(const std::filesystem::path& rest,
                                                         const std::filesystem::path& written,

@@ -26,7 +26,7 @@ void looks(TourWindow& tour);
 void glance(TourWindow& tour);
 /// Every panel in the smallest window and in one as large as the screen, in light and dark.
 void sizes(TourWindow& tour);
-/// Those of the documentation.
+/// Takes the pictures of the documentation.
 void documentPictures(TourWindow& tour);
 
 }  // namespace holdfast::tour

@@ -31,7 +31,7 @@ struct PlainView {
   [[nodiscard]] Vector3 shown(const Vector3& place) const;
   /// Pixels for a unit of length at this depth.
   [[nodiscard]] double pixelsAt(double depth) const;
-  /// Where the line of sight through a point of the screen is at `depth`.
+  /// Returns the place of the line of sight through a point of the screen at `depth`.
   [[nodiscard]] Vector3 placeAt(const Eigen::Vector2d& point, double depth) const;
 };
 
@@ -65,7 +65,8 @@ struct PlainSight {
 [[nodiscard]] PlainSight plainSight(const PlainView& view, const Eigen::Vector2d& point, const Positions& positions,
                                     const std::vector<Triangle>& triangles);
 
-/// Whether a triangle that has not all of `own` as corners lies before `place`; nothing where rounding decides. O(T).
+/// Tells whether a triangle that has not all of `own` as corners lies before `place`; nothing where rounding decides.
+/// O(T).
 [[nodiscard]] std::optional<bool> isPlainlyVisible(const PlainView& view, const Vector3& place,
                                                    const std::vector<Index>& own, const Positions& positions,
                                                    const std::vector<Triangle>& triangles);

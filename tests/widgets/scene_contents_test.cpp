@@ -165,7 +165,7 @@ TEST(MeshEdges, AreThoseOfThePolygonsOfTheFile)
   EXPECT_EQ(static_cast<vtkIdType>(edges.size()), kEdges);
 }
 
-/// Whether what is drawn coarsely has the places, normals and values of its vertices.
+/// Expects that what is drawn coarsely has the places, normals and values of its vertices.
 void expectCopies(vtkPolyData& coarse, vtkPolyData& full, const MeshActor& actor)
 {
   ASSERT_EQ(static_cast<std::size_t>(coarse.GetNumberOfPoints()), actor.coarse().vertexOf().size());

@@ -9,7 +9,8 @@
 namespace holdfast {
 namespace {
 
-/// Whether a line straight up from `point` crosses the polygon an odd number of times; corners are not straight above.
+/// Tells whether a line straight up from `point` crosses the polygon an odd number of times; corners are not straight
+/// above.
 bool isPlainlyInside(const std::vector<DisplayPoint>& polygon, const DisplayPoint& point)
 {
   int crossings = 0;

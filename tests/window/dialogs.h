@@ -33,7 +33,7 @@ class DialogAnswer {
 /// The dialog of this name that is on the screen; null where none is.
 [[nodiscard]] QDialog* findDialog(const QString& objectName);
 
-/// Whether nothing lies over the dialog, as the display itself says: at its middle and near its corners.
+/// Tells whether nothing lies over the dialog, as the display itself says: at its middle and near its corners.
 [[nodiscard]] bool isOnTop(QDialog& dialog);
 
 /// Handles events for longer than a progress dialog, of work that has begun by now, takes to come.

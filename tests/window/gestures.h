@@ -20,7 +20,7 @@ namespace holdfast::test {
 [[nodiscard]] bool waitUntil(const std::function<bool()>& condition,
                              std::chrono::milliseconds limit = std::chrono::minutes(3));
 
-/// Whether nothing behind the picture would be seen through it.
+/// Tells whether nothing behind the picture would be seen through it.
 [[nodiscard]] bool isOpaque(const QImage& picture);
 
 /// Shows the widget, and waits for it to be on the screen.

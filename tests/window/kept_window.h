@@ -16,7 +16,7 @@ namespace holdfast::test {
 struct KeptWindow : FilesWindow {
   explicit KeptWindow(const std::filesystem::path& recoveryFolder);
 
-  /// Whether that many copies were written.
+  /// Tells whether that many copies were written.
   [[nodiscard]] bool waitForCopy(int number);
 
   int kept = 0;

@@ -35,7 +35,7 @@ class OpenWindow : public ::testing::Test {
   /// screen as `PlainView` counts them: from the lower left.
   [[nodiscard]] QPointF inWidget(const Eigen::Vector2d& screen);
 
-  /// Where a place is shown, and the middle of the shaft of an arrow of the gizmo.
+  /// Return where a place is shown, and the middle of the shaft of an arrow of the gizmo.
   [[nodiscard]] QPointF shownAt(const Vector3& place);
   [[nodiscard]] QPointF onArrow(int axis);
 

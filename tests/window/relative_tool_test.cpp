@@ -88,7 +88,7 @@ class RelativeToolOnSheet : public test::WindowUser {
         if (ruler->GetVisibility() != 0 && ruler->IsPlaced()) labels.push_back(ruler->GetLabel());
     return labels;
   }
-  /// Whether the arrow from vertex 6 to 13 is seen, beside its label.
+  /// Tells whether the arrow from vertex 6 to 13 is seen, beside its label.
   [[nodiscard]] bool isArrowSeen()
   {
     EXPECT_TRUE(settle());

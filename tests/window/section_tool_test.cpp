@@ -115,7 +115,7 @@ class SectionInWindow : public test::WindowUser {
     return shownAt(plane().origin + side * 0.3 * 1.1 * diagonal * plane().normal);
   }
 
-  /// Whether something of the mesh is seen there that is not cut away.
+  /// Tells whether something of the mesh is seen there that is not cut away.
   [[nodiscard]] bool isOverMesh(const QPointF& place)
   {
     return SurfacePicker(viewport().surface())

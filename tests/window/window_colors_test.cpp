@@ -146,7 +146,7 @@ class ColorsOfBar : public test::WindowUser {
     return test::plainSight(view, screen, editor().positions(), model().triangulation.triangles);
   }
 
-  /// Whether the surface is seen two pixels to all sides, too.
+  /// Tells whether the surface is seen two pixels to all sides, too.
   [[nodiscard]] bool isInside(const Eigen::Vector2d& screen)
   {
     for (const Eigen::Vector2d& step : {Eigen::Vector2d(0, 0), Eigen::Vector2d(2, 2), Eigen::Vector2d(-2, 2),

@@ -160,7 +160,7 @@ std::vector<std::string> actionsWithoutTips(const QWidget& window)
   return found;
 }
 
-/// Whether this is a part of one of Qt's own widgets, which speaks for it.
+/// Tells whether this is a part of one of Qt's own widgets, which speaks for it.
 bool isPart(const QWidget& widget)
 {
   if (widget.objectName().startsWith("qt_") || widget.inherits("QComboBoxListView") ||
@@ -172,7 +172,7 @@ bool isPart(const QWidget& widget)
   return area != nullptr && area->viewport() == &widget;
 }
 
-/// Whether a user can press, type into or choose from it, or get to it by keys.
+/// Tells whether a user can press, type into or choose from it, or get to it by keys.
 bool isControl(const QWidget& widget)
 {
   if ((widget.focusPolicy() & Qt::TabFocus) != 0) return true;

@@ -44,7 +44,7 @@ class WindowUser : public OpenWindow {
   /// By the arrow keys.
   static void chooseEntry(QComboBox& box, int entry);
 
-  /// Where a place, or a vertex of the file, is seen.
+  /// Return where a place, or a vertex of the file, is seen.
   [[nodiscard]] QPointF seenAt(const Vector3& place);
   [[nodiscard]] QPointF seenAt(Index vertex);
   /// A vertex that is seen, away from all that constraints hold.

@@ -1,5 +1,6 @@
 #pragma once
-/// Memory that is asked for before it is taken. Linux promises more than there is, and ends programs that use it.
+/// These functions tell whether there is memory before it is taken. Linux promises more than there is, and ends
+/// programs that use it.
 
 #include <cstdint>
 #include <new>

@@ -1,5 +1,5 @@
 #pragma once
-/// Memory for many numbers.
+/// Large memory holds many numbers.
 
 #include <cstddef>
 #include <map>

@@ -21,7 +21,7 @@ void startBackgroundThread(std::function<void()> work);
 /// Work throws this when its result is no longer wanted.
 class LeftBehind : public std::exception {};
 
-/// What the work of a step and those who wait for it tell each other. Any thread may call it.
+/// The work of a step and those who wait for it tell each other their state here. Any thread may call it.
 class StepState {
  public:
   /// Tells whether the result is no longer wanted. Work that can end early asks this now and then.

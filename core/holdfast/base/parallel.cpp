@@ -62,7 +62,7 @@ class Helper {
 
 using Helpers = std::vector<std::unique_ptr<Helper>>;
 
-/// Those of the calling thread that have no work: the turns of a loop may have loops of their own.
+/// The helpers of the calling thread that have no work: the turns of a loop may have loops of their own.
 thread_local Helpers idle;
 
 std::unique_ptr<Helper> idleHelper()

@@ -1,6 +1,6 @@
 #pragma once
-/// Sparse matrices over all cores, with the same bits for any number of them. These functions make them column by
-/// column and multiply them by three columns.
+/// These functions make sparse matrices column by column and multiply them by three columns. They use all cores, and
+/// the bits are the same for any number of them.
 
 #include <algorithm>
 #include <numeric>

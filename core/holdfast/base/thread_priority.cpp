@@ -16,7 +16,7 @@
 namespace holdfast {
 namespace {
 
-// As `nice` counts: a tenth of the time of a core that a thread of higher priority needs as well.
+// Steps as `nice` counts them: a tenth of the time of a core that a thread of higher priority needs as well.
 constexpr int kSteps = 10;
 
 pid_t thisThread() noexcept

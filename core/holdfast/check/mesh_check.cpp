@@ -17,10 +17,10 @@
 namespace holdfast {
 namespace {
 
-// As a share of the diagonal: far below any detail of a part, and above what writing with six digits loses.
+// A share of the diagonal: far below any detail of a part, and above what writing with six digits loses.
 constexpr double kNearlyCoincident = 1e-6;
 
-// As a share of the largest coordinate: two places of single precision, which a corner may be off by each.
+// A share of the largest coordinate: two places of single precision, which a corner may be off by each.
 constexpr double kRoundedToFloats = 0x1p-22;
 
 /// Adds a finding, unless it is about nothing.

@@ -89,7 +89,8 @@ bool isWhole(std::string_view field)
   return !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// Whether the first column of a table without titles has names: something that is no number, or numbers that count.
+/// Tells whether the first column of a table without titles has names: something that is no number, or numbers that
+/// count.
 bool beginsWithNames(const std::vector<CsvRecord>& records, char decimalSign)
 {
   std::set<std::string_view> different;
@@ -102,7 +103,7 @@ bool beginsWithNames(const std::vector<CsvRecord>& records, char decimalSign)
   return areWhole && different.size() == records.size();
 }
 
-/// Whether `holds` of the three numbers from column `first` on in every row that has them.
+/// Tells whether `holds` is true of the three numbers from column `first` on in every row that has them.
 template <class Holds>
 bool holdsOfAll(const std::vector<CsvRecord>& records, std::size_t first, char decimalSign, const Holds& holds)
 {
@@ -118,7 +119,7 @@ bool holdsOfAll(const std::vector<CsvRecord>& records, std::size_t first, char d
   });
 }
 
-/// Whether the numbers from column 3 on are normals or colours, as clouds of points have them, and no targets: of
+/// Tells whether the numbers from column 3 on are normals or colours, as clouds of points have them, and no targets: of
 /// length 1, or whole from 0 to 255, and the places are not.
 bool areNormalsOrColors(const std::vector<CsvRecord>& records, char decimalSign)
 {

@@ -33,7 +33,7 @@ std::size_t blankLength(std::string_view text)
   return unbreakableLength(text);
 }
 
-/// Whether exactly three digits begin `text`.
+/// Tells whether exactly three digits begin `text`.
 bool beginsWithGroup(std::string_view text)
 {
   const auto end = std::find_if_not(text.begin(), text.end(), isDigit);

@@ -43,8 +43,8 @@ struct HandleSetting {
   HandleSurroundings surroundings;
   InputLocation where;               ///< the handle's, for errors
   std::vector<Index> vertices = {};  ///< of the file, in the order of `rest`; may be empty
-  /// These rows of `rest` count in means. There is one for each unknown, so that copies of a corner change nothing.
-  /// Where the list is empty, all rows count.
+  /// These rows of `rest` count in means. There is one for each unknown, so that copies of a corner change nothing. If
+  /// the list is empty, all rows count.
   std::vector<Index> counted = {};
 
   /// Returns the rows of `ofVertices` that count in means. `ofVertices` has one row for each vertex.

@@ -1,5 +1,5 @@
 #pragma once
-/// What constraints name on a mesh is kept from one list to the next.
+/// Known places are what constraints name on a mesh. They are kept from one list to the next.
 
 #include <map>
 #include <optional>
@@ -13,7 +13,8 @@
 
 namespace holdfast {
 
-/// Keeps what lists that follow one another on one mesh name there. What stays as it was stated is not found again.
+/// Finds the places that a list names, and keeps them for the next list on the same mesh. A place that is stated as
+/// before is not found again.
 class KnownPlaces {
  public:
   struct KnownPoint {

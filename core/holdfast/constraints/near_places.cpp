@@ -10,7 +10,7 @@
 namespace holdfast {
 namespace {
 
-// As a share of the diagonal: what lies nearer lies on the surface, up to the digits of files.
+// A share of the diagonal: what lies nearer lies on the surface, up to the digits of files.
 constexpr double kOnSurface = 1e-9;
 
 // In distances of the nearest side. Another side up to twice as far leaves open which is meant: the place is in the

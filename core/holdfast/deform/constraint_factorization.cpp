@@ -17,7 +17,7 @@ double largestOf(const std::vector<double>& values)
   return values.empty() ? 1 : *std::ranges::max_element(values);
 }
 
-/// Whether there are many points off the vertices.
+/// Tells whether there are many points off the vertices.
 bool hasManyPoints(const std::vector<ConstraintRow>& rows)
 {
   return std::ranges::count_if(rows, [](const ConstraintRow& row) { return row.terms.size() > 1; }) > kManyPoints;

@@ -16,7 +16,7 @@
 
 namespace holdfast {
 
-/// What a model gives for any constraints.
+/// The operators of a model, which serve any constraints.
 struct ModelOperators {
   std::shared_ptr<const Operators> operators;
   std::shared_ptr<const RotationEnergy> energy;  ///< null where rotations are given
@@ -36,19 +36,19 @@ struct ConstraintFactorization {
   /// The same under the constraints of `wanted`, by the factor of `base`, bordered.
   ConstraintFactorization(const ConstraintFactorization& wanted, std::shared_ptr<ConstraintFactorization> base);
 
-  /// Whether `other` has the rows, given rotations and rigid regions that this was made of. O(terms).
+  /// Tells whether `other` has the rows, given rotations and rigid regions that this was made of. O(terms).
   [[nodiscard]] bool serves(const ConstraintSystem& other) const;
 
-  /// Whether `other` has the same given rotations and rigid regions.
+  /// Tells whether `other` has the same given rotations and rigid regions.
   [[nodiscard]] bool turnsAs(const ConstraintSystem& other) const;
 
-  /// Whether the same rows stand in both.
+  /// Tells whether the same rows stand in both.
   [[nodiscard]] bool standsOn(const ConstraintFactorization& other) const;
 
-  /// Whether it has a factor, and it can be used.
+  /// Tells whether it has a factor, and it can be used.
   [[nodiscard]] bool isReady();
 
-  /// How far a unit of change in what one row asks for moves the vertices at most; 1 without rows.
+  /// Returns how far a unit of change in what one row asks for moves the vertices at most; 1 without rows.
   [[nodiscard]] double largestSensitivity() const;
 
   ConstraintSystem system;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a deformation was computed from, and what its report is made of when somebody looks at it.
+/// These details are what a deformation was computed from. Its report is made of them when somebody looks at it.
 
 #include <future>
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace holdfast {
 
-/// What a report says of a constraint, whatever becomes of it.
+/// A label is what a report says of a constraint in any case.
 struct ConstraintLabel {
   std::string name;
   std::string_view type;

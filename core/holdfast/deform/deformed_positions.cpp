@@ -5,7 +5,7 @@
 namespace holdfast {
 namespace {
 
-/// For each unknown, whether it is several vertices of the file.
+/// Tells for each unknown whether it is several vertices of the file.
 std::vector<char> sharedUnknowns(const Weld& weld)
 {
   std::vector<char> isShared(static_cast<std::size_t>(weld.unknownCount), 0);

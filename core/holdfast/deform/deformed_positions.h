@@ -1,5 +1,5 @@
 #pragma once
-/// From displacements of unknowns to the positions that a file gets.
+/// These functions make the positions that a file gets from displacements of unknowns.
 
 #include <holdfast/deform/model.h>
 #include <holdfast/elimination/diagnosis.h>

@@ -11,7 +11,7 @@
 namespace holdfast {
 
 /// Serves one list of constraints after another. As long as rows, given rotations and rigid regions stay, nothing is
-/// factorised. Not for concurrent calls.
+/// factorised. One thread at a time may call it.
 class FactorStore {
  public:
   FactorStore(std::shared_ptr<const Model> model, const DeformOptions& options, DeformerMode mode);
@@ -19,7 +19,7 @@ class FactorStore {
   /// Starts to order the unknowns, beside what the caller does next. The first call does it.
   void orderUnknowns(Progress& progress);
 
-  /// What the model gives for any constraints, made by the first call. O(T log T).
+  /// Returns the operators of the model. The first call makes them. O(T log T).
   [[nodiscard]] const ModelOperators& operators(Progress& progress);
 
   /// The factorization that serves `system`: the one at hand; one that was made meanwhile; the one that edits began

@@ -1,5 +1,5 @@
 #pragma once
-/// How hard constraints pull at each unknown. Their forces hold a displacement against its energy |A u - f|^2 / 2.
+/// Forces say how hard constraints pull at each unknown. They hold a displacement against its energy |A u - f|^2 / 2.
 
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace holdfast {
 
-/// Where constraints act.
+/// The places where constraints act.
 struct ActedOn {
   ActedOn(const EnergyMatrix& A, const std::vector<RowTerms>& constraints);
 

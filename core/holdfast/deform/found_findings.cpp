@@ -30,7 +30,7 @@ constexpr double kPush = 1e-6;
 // What grows by less in an iteration has been pushed together by so little that it cannot be seen.
 constexpr double kGrowth = 1e-4;
 
-/// Whether rotations are given in some part that are too far apart for one log each.
+/// Tells whether rotations are given in some part that are too far apart for one log each.
 bool haveTurns(const ConstraintSystem& system, const SolverMesh& mesh)
 {
   std::vector<Index> firstOf(static_cast<std::size_t>(mesh.componentCount), -1);

@@ -1,6 +1,6 @@
 #pragma once
-/// What is doubtful about rotations that were found: turns may be lost, shapes may give way, and points may overrule
-/// rotations.
+/// These findings say what is doubtful about rotations that were found. Turns may be lost, flat parts may bend to
+/// either side, and points may overrule rotations.
 
 #include <functional>
 #include <optional>
@@ -30,7 +30,7 @@ struct SaddleTest {
   std::function<Columns3(const Columns3& u)> next;  ///< the displacement of the next iteration
 };
 
-/// Warns where a part lies in a plane only because nothing says to which side it could give way. Then some displacement
+/// Warns where a part lies in a plane only because nothing says to which side it would bend. Then some displacement
 /// across the plane grows from iteration to iteration. Takes up to `kMostSaddleSteps` iterations where a part is flat.
 [[nodiscard]] std::optional<Finding> flatSaddle(const SaddleTest& test);
 

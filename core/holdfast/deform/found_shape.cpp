@@ -33,7 +33,8 @@ double largestChange(const Columns3& u, const Columns3& before)
   return u.size() == 0 ? 0 : (u - before).rowwise().norm().maxCoeff();
 }
 
-/// For each part without a given rotation the log of the one that best takes points to their targets; 0 for others.
+/// Returns, for each part without a given rotation, the log of the one that best takes points to their targets; 0 for
+/// others.
 std::vector<Vector3> fittedParts(const ConstraintSystem& system, const SolverMesh& mesh)
 {
   std::vector<char> isGiven(static_cast<std::size_t>(mesh.componentCount));
@@ -60,8 +61,9 @@ std::vector<Vector3> fittedParts(const ConstraintSystem& system, const SolverMes
   return result;
 }
 
-/// Where they were found before as they were; else those of the field, and in parts without any that is given the
-/// rotation that best takes points of constraints to their targets, so that a motion of all of them costs nothing.
+/// Returns the rotations that were found before, where there are any; else those of the field. A part without a given
+/// rotation gets the one that best takes points of constraints to their targets, so that a motion of all of them costs
+/// nothing.
 Columns3 startRotations(const ConstraintSystem& system, const SolverMesh& mesh, const FreeRotations& free,
                         RotationStart from)
 {
@@ -136,7 +138,7 @@ class Acceleration {
     return result;
   }
 
-  /// Whether the last was a combination.
+  /// Tells whether the last was a combination.
   [[nodiscard]] bool isCombined() const { return results_.size() > 1; }
 
   void forget()

@@ -42,7 +42,7 @@ std::vector<Index> constraintsOf(const DeformDetails& details, const Predicate& 
   return sortedOnce(std::move(result));
 }
 
-/// Whether rows behind it stand in its place, though doubles tell them well.
+/// Tells whether rows behind it stand in its place, though doubles tell them apart well.
 bool gaveWay(const Dependency& dependency)
 {
   return !dependency.isUndecided() && !dependency.terms.empty() && dependency.terms.back().index > dependency.row;

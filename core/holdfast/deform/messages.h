@@ -1,6 +1,6 @@
 #pragma once
-/// What a solve has to say, in sentences: what was wrong, where, and what to do. An accuracy is an estimated relative
-/// error: of the unknowns that constraints leave free, or of those that constraints determine.
+/// These functions write what a solve has to say: what was wrong, where, and what to do. An accuracy is an estimated
+/// relative error: of the unknowns that constraints leave free, or of those that constraints determine.
 
 #include <holdfast/deform/determined_part.h>
 #include <holdfast/deform/outcomes.h>

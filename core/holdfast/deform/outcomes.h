@@ -1,5 +1,5 @@
 #pragma once
-/// How each constraint fared, as positions show it.
+/// An outcome says how a constraint fared, as positions show it.
 
 #include <algorithm>
 

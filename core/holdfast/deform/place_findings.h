@@ -1,5 +1,5 @@
 #pragma once
-/// What is doubtful about the places that constraints name by `near`.
+/// These findings say what is doubtful about the places that constraints name by `near`.
 
 #include <span>
 #include <vector>

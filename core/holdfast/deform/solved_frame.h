@@ -24,8 +24,8 @@ inline constexpr int kIterationsOfFrame = 2;
 
 struct SolvedFrame {
   DeformResult result;  ///< without the seconds that went before
-  /// How far from the others rows need to be so that hard constraints can be met, see `FactorStore::withFewerRows`; 0
-  /// where they are.
+  /// The distance that rows need from the others so that hard constraints can be met; 0 if they are. See
+  /// `FactorStore::withFewerRows`.
   double neededDistance = 0;
 };
 

@@ -30,9 +30,9 @@ class ConstraintDrag {
   /// Returns the middle of where all that moves is to be, in model units. Something must move.
   [[nodiscard]] Vector3 center() const;
 
-  /// Returns the axes of the first constraint that moves, as right-handed orthonormal columns. Those of a handle are
-  /// the axes of the frame that it goes to. Without a frame they are its `principalAxes` at rest, turned with it. Those
-  /// of a point are its `surfaceAxes` at `positions`.
+  /// Returns the axes of the first constraint that moves, as right-handed orthonormal columns. A handle has the axes of
+  /// the frame that it goes to. Without a frame it has its `principalAxes` at rest, turned with it. A point has its
+  /// `surfaceAxes` at `positions`.
   [[nodiscard]] Eigen::Matrix3d axes(const Positions& positions) const;
 
   /// Returns the centroid of all that is fixed. Returns none where nothing is fixed or no handle moves.

@@ -21,7 +21,7 @@ HandleConstraint validated(HandleConstraint handle, const HandleSetting& setting
   return handle;
 }
 
-/// Where the motion takes the centroid, before the translation; none where it stays.
+/// Returns the place to which the motion takes the centroid, before the translation; none where it stays.
 std::optional<Vector3> centroidAfter(const HandleConstraint& handle, const Eigen::Matrix3d& R,
                                      const HandleSetting& setting)
 {
@@ -54,7 +54,7 @@ std::optional<Vector3> centerOfFixed(const Model& model, const ConstraintList& l
 // Variances that differ by less than this share of the largest have no axis that a user would expect.
 constexpr double kAlike = 0.05;
 
-/// Whether the face has every vertex that the point hangs on, or one in the same place.
+/// Tells whether the face has every vertex that the point hangs on, or one in the same place.
 bool holds(const std::vector<int>& unknownOf, std::span<const int> face, const SurfacePoint& point)
 {
   return std::all_of(point.terms.begin(), point.terms.end(), [&](const Term& term) {

@@ -151,14 +151,14 @@ struct LiveDeformer::Shared {
     tell({Kind::Examined, revision, "", nullptr, nullptr, std::make_shared<const Report>(std::move(report))});
   }
 
-  /// Whether there is other work, or comes within `time`.
+  /// Tells whether there is other work, or comes within `time`.
   bool isWantedBefore(std::chrono::milliseconds time)
   {
     std::unique_lock lock(mutex);
     return changed.wait_for(lock, time, [this] { return isStopping || waiting.has_value(); });
   }
 
-  /// Whether more iterations make the result of a frame better, and nothing newer waits.
+  /// Tells whether more iterations make the result of a frame better, and nothing newer waits.
   bool isToGoOn(const DeformResult& result)
   {
     const std::optional<RotationIterations>& iterations = result.report.solve.iterations;

@@ -11,7 +11,7 @@
 
 namespace holdfast {
 
-/// What the worker reports. Each revision ends once, not by one of the first four, unless a newer one replaced it.
+/// The worker reports events. Each revision ends once, not by one of the first four, unless a newer one replaced it.
 /// `Examined` may follow `Done` twice: with what is found while the picture is drawn, and with what a rest has time
 /// for.
 struct LiveEvent {

@@ -57,7 +57,8 @@ FileDescriptor lockedFile(const fs::path& path)
   return file;
 }
 
-/// Whether no program holds the lock. Shared, so that two that look at once do not take one another for its owner.
+/// Tells whether no program holds the lock. Shared, so that two that look at once do not take one another for its
+/// owner.
 bool isAbandoned(const fs::path& place)
 {
   const FileDescriptor file(::open((place / kLockName).c_str(), O_RDWR | O_CLOEXEC));

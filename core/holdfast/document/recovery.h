@@ -48,7 +48,7 @@ struct Recoverable {
   std::string name;                            ///< for the user: of the session's file, or of the mesh's
 };
 
-/// Returns the copies in `folder` whose programs are no more, the newest first. Those that cannot be read are among
+/// Returns the copies in `folder` whose programs are no more, the newest first. Copies that cannot be read are among
 /// them.
 [[nodiscard]] std::vector<Recoverable> recoverable(const std::filesystem::path& folder);
 

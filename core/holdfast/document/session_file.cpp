@@ -244,7 +244,7 @@ Json meshJson(const MeshReference& mesh)
 }
 
 /// The backend is written only where it is not the default: a session is then good for a build with another default.
-/// What is said of rotations likewise: such a session is good for earlier programs.
+/// The same holds for keys of rotations: earlier programs read such a session.
 Json optionsJson(const DeformOptions& options)
 {
   Json json{{"weights", name(options.weights)}, {"solver", name(options.solver.kind)}};

@@ -36,7 +36,7 @@ class CircuitPatches {
     for (std::size_t k = 0; k < others.size(); ++k) placeOf_[others[k]] = static_cast<Index>(k);
   }
 
-  /// Whether no patch of so many rings had the row near its middle.
+  /// Tells whether no patch of so many rings had the row near its middle.
   [[nodiscard]] bool isOpen(std::size_t place, int rings) const { return rings_[place] < rings; }
 
   /// Looks for the circuits of the rows near one of `others`; those that do not close as well where they `mayBeOpen`.

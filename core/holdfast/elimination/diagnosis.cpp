@@ -20,7 +20,7 @@ std::vector<RowTerms> termsOf(const ConstraintSystem& system)
   return rows;
 }
 
-/// Whether the row says where something is, not only how far two things are apart.
+/// Tells whether the row says where something is, not only how far two things are apart.
 bool isPositional(const RowTerms& row)
 {
   double sum = 0;
@@ -75,8 +75,8 @@ double largestTarget(const ConstraintSystem& system)
   });
 }
 
-/// Whether every limit is the promised residual. The sizes of a row's weights sum to 2 at most: near the origin no sum
-/// is large enough to count.
+/// Tells whether every limit is the promised residual. The sizes of a row's weights sum to 2 at most: near the origin
+/// no sum is large enough to count.
 bool isNearOrigin(const SolverMesh& mesh, const ConstraintSystem& system)
 {
   return kShare * std::max(largestTarget(system), 2 * mesh.largestCoordinate) <= kPromisedResidual * mesh.diagonal;
@@ -113,8 +113,8 @@ Columns3 shiftsOf(const ConstraintSystem& system, const std::vector<Index>& rows
   return shifts;
 }
 
-/// Those of `agreeing` that circuits join to one that is `missed`. What is changed to meet the one moves the others, by
-/// as much as their coefficients are large: all are met together, or some would be missed in turn.
+/// Returns those of `agreeing` that circuits join to one that is `missed`. What is changed to meet the one moves the
+/// others, by as much as their coefficients are large: all are met together, or some would be missed in turn.
 std::vector<Index> joinedToMissed(const std::vector<Index>& missed, const std::vector<const Dependency*>& agreeing,
                                   const std::vector<RowTerms>& rows)
 {

@@ -1,5 +1,5 @@
 #pragma once
-/// Which rows hold, which repeat others and which contradict them, and by how much.
+/// A diagnosis says which rows hold, which repeat others and which contradict them, and by how much.
 
 #include <map>
 #include <vector>
@@ -31,8 +31,8 @@ struct Diagnosis {
   /// The redundant rows that the independent ones alone would miss, and those that share circuits with them, see
   /// `reconciledParticular`.
   std::vector<Index> reconciled;
-  /// For each conflicting row whose gap depends on rotations: the rows that it contradicts. Filled where rotations were
-  /// found.
+  /// The rows that each conflicting row contradicts, if its gap depends on rotations. The map is filled if rotations
+  /// were found.
   std::map<Index, std::vector<Index>> reasons;
   /// The conflicting rows that would be met if rotations were found, ascending. None where they were found.
   std::vector<Index> metIfFound;

@@ -27,7 +27,7 @@ bool isJudgedInOrder(const RowComponent& component, double tolerance)
          component.unknowns.size() <= kMostSequentialRows;
 }
 
-/// Whether other rows would better stand in the places of some.
+/// Tells whether other rows would better stand in the places of some.
 bool leadsFar(const Dependency& dependency)
 {
   return std::ranges::any_of(dependency.terms,
@@ -162,7 +162,7 @@ class Tableau {
   std::map<Index, double> distances_;
 };
 
-/// Those of `rows`, ascending, that depend on none.
+/// Returns those of `rows`, ascending, that depend on none.
 template <class Rows>
 std::vector<Index> independentOf(const Rows& rows, const std::vector<Dependency>& dependencies)
 {

@@ -1,5 +1,5 @@
 #pragma once
-/// What the rows of a large component leave free.
+/// Free parts are what the rows of a large component leave free.
 
 #include <vector>
 
@@ -8,8 +8,8 @@
 namespace holdfast {
 
 /// A free part is a set of unknowns that hang together by rows which do not determine them (`freeUnknowns`). A small
-/// part has an orthonormal basis. That of a large part would be nearly dense. So its rows are substituted as far as
-/// each has an unknown of its own (`ownUnknowns`). The other rows are kept.
+/// part has an orthonormal basis. The basis of a large part would be nearly dense. So the rows of a large part are
+/// substituted as far as each has an unknown of its own (`ownUnknowns`). The other rows are kept.
 struct FreePart {
   RowComponent component;
   SparseMatrix basis;       ///< component.unknowns x columns

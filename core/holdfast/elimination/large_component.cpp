@@ -155,7 +155,8 @@ class BasisSearch {
     return result;
   }
 
-  /// Those of `basis`, in their order, that some rows lead to by `kRingsAround` rows that share an unknown each.
+  /// Returns those of `basis`, in their order, that some rows lead to by `kRingsAround` rows that share an unknown
+  /// each.
   [[nodiscard]] std::vector<Index> around(std::vector<Index> some, const std::vector<Index>& basis) const
   {
     std::vector<bool> isReached(rows_.size(), false);

@@ -57,9 +57,9 @@ std::vector<Index> doubtfulOnes(const Eigen::VectorXd& estimates, double toleran
   return result;
 }
 
-/// For each column of `block` (of length 1), how far it is from the span of all others: the inverse length of its row
-/// of R^-1. Estimated to some twenty per cent by what R^-1 makes of vectors of random signs, and measured where that
-/// leaves open on which side of `tolerance` it is.
+/// Returns how far each column of `block` (of length 1) is from the span of all others: the inverse length of its row
+/// of R^-1. This is estimated to some twenty per cent by what R^-1 makes of vectors of random signs, and measured where
+/// that leaves open on which side of `tolerance` it is.
 std::vector<double> distancesFromOthers(const SparseMatrix& block, double tolerance)
 {
   constexpr double kAcceptAll = -1;
@@ -121,7 +121,7 @@ bool isLarge(const Cluster& cluster)
   return cluster.component.rows.size() > kLargestCluster;
 }
 
-/// Those of its rows that are too close to the others.
+/// Returns the rows of a cluster that are too close to the others.
 std::vector<Index> closestOf(const Cluster& cluster, double tolerance)
 {
   std::vector<Index> result;

@@ -1,5 +1,5 @@
 #pragma once
-/// Redundant rows that are met as well as those that they follow from.
+/// Reconciliation meets redundant rows as well as the rows that they follow from.
 
 #include <vector>
 

@@ -17,7 +17,7 @@ class RowMatching {
   {
   }
 
-  /// Whether the row gets an unknown.
+  /// Tells whether the row gets an unknown.
   bool add(Index row)
   {
     ++search_;

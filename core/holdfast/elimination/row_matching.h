@@ -1,5 +1,5 @@
 #pragma once
-/// What rows determine whatever their coefficients are.
+/// A matching of rows and unknowns says what rows determine whatever their coefficients are.
 
 #include <vector>
 

@@ -226,7 +226,7 @@ class Multifrontal {
     });
   }
 
-  /// Where the rows of the front are in it, and those that its children have updated.
+  /// Finds the places of the rows of the front in it, and of those that its children have updated.
   void findPlaces(int s, FrontWorkspace& work)
   {
     const Supernode& node = symbolic_.supernodes[s];

@@ -107,7 +107,7 @@ SparseMatrix PackedFactor::solveForward(const SparseMatrix& b) const
   }
   // Neighbours have most of their way up the tree in common.
   std::ranges::sort(columns, {}, &FewEntries::entries);
-  // As many turns on every thread, of few columns.
+  // Each thread has the same number of turns, of few columns.
   const Index rounds = (b.cols() + kSolvedAtOnce * threadCount() - 1) / (kSolvedAtOnce * threadCount());
   const Index turns = rounds * threadCount();
   std::vector<SparseEntries> found(columns.size());

@@ -18,14 +18,14 @@ inline constexpr double kRankOfFit = 1e-12;
 
 /// Returns the rotation R that minimises the sum of |R (p_i - mean of p) - (t_i - mean of t)|^2 over the rows of
 /// `points` and `targets`. It is found by singular values (Kabsch, 1976). There must be as many points as targets, at
-/// least one, and all must be finite. Where points or targets lie on a line, R takes one line to the other by the
-/// shortest rotation. Where all coincide, it is the identity. O(N).
+/// least one, and all must be finite. If points or targets lie on a line, R takes one line to the other by the shortest
+/// rotation. If all coincide, R is the identity. O(N).
 [[nodiscard]] RotationFit fitRotation(const Positions& points, const Positions& targets);
 
 /// Returns the rotation R (of length 1) that minimises the sum of |R s - t|^2 for the covariance H = sum of t s^T.
-/// Newton's method starts from `near`, of length 1. Where several rotations fit, R is one that follows from `near`.
-/// Where H says nothing, R is `near` itself. R is exact to a few units in the last place. Where `near` fits without
-/// rounding, R is `near` as it is, bit for bit.
+/// Newton's method starts from `near`, of length 1. If several rotations fit, R is one that follows from `near`. If H
+/// is zero, R is `near` itself. R is exact to a few units in the last place. If `near` fits without rounding, R has the
+/// bits of `near`.
 [[nodiscard]] Eigen::Quaterniond fittedRotation(const Eigen::Matrix3d& H, const Eigen::Quaterniond& near);
 
 /// Returns the same among the rotations that follow from `near` by a turn about `axis`. The axis is of length 1 and in

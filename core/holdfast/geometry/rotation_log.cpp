@@ -35,7 +35,7 @@ CosineAndSine cosineAndSine(double degrees)
   return std::array<CosineAndSine, 4>{{{c, s}, {-s, c}, {-c, -s}, {s, -c}}}[quarters & 3];
 }
 
-/// Whether q, not -q, is taken as the log of the half turn that has both.
+/// Tells whether q, not -q, is taken as the log of the half turn that has both.
 bool isFirstOfHalfTurn(const Vector3& q)
 {
   for (const double component : q)

@@ -20,8 +20,8 @@ inline constexpr double kDegree = std::numbers::pi / 180;
 /// below.
 [[nodiscard]] Eigen::Matrix3d rotationMatrix(const Vector3& q);
 
-/// Returns the rotation by `degrees` about `axis`, counterclockwise seen against it. The axis may have any length.
-/// Where it is zero there is no rotation. Quarter turns about coordinate axes have entries 0, 1 and -1, exactly.
+/// Returns the rotation by `degrees` about `axis`, counterclockwise seen against it. The axis may have any length. If
+/// it is zero, the result is the identity. Quarter turns about coordinate axes have entries 0, 1 and -1, exactly.
 [[nodiscard]] Eigen::Matrix3d rotationMatrix(const Vector3& axis, double degrees);
 
 /// Returns how far exp(q) takes `x`, with the digits of that: R x - x.
@@ -32,8 +32,7 @@ inline constexpr double kDegree = std::numbers::pi / 180;
 [[nodiscard]] Vector3 rotationLog(const Eigen::Quaterniond& rotation);
 [[nodiscard]] Vector3 rotationLog(const Eigen::Matrix3d& rotation);
 
-/// Returns the log of a turn by `degrees` about `axis`. The axis may have any length. Where it is zero there is no
-/// turn.
+/// Returns the log of a turn by `degrees` about `axis`. The axis may have any length. If it is zero, the log is zero.
 [[nodiscard]] Vector3 rotationLog(const Vector3& axis, double degrees);
 
 /// Returns the log of `rotation` that is nearest to `reference`. A rotation by whole turns is taken to be about the

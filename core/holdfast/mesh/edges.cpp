@@ -7,7 +7,7 @@
 namespace holdfast {
 namespace {
 
-/// Those of edges whose smaller vertex is one of `first` .. `last` - 1.
+/// Visits half-edges of edges whose smaller vertex is one of `first` .. `last` - 1.
 template <class Visitor>
 void forEachHalfEdge(const std::vector<Triangle>& triangles, Index first, Index last, const Visitor& visit)
 {

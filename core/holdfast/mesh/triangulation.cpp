@@ -95,7 +95,7 @@ class CornerBoxes {
   std::vector<std::size_t> nodeOf_;
 };
 
-/// Where the corners lie that count against an ear a, b, c: between the rays from b through a and c, and less than
+/// The region of the corners that count against an ear a, b, c: between the rays from b through a and c, and less than
 /// `depth` behind the line through both (a cross product with c - a).
 class EarRegion {
  public:

@@ -11,7 +11,7 @@ namespace holdfast {
 /// Three vertex ids, in the orientation of the face. They have 32 bits, as all ids that a large mesh has many of.
 using Triangle = std::array<int, 3>;
 
-/// The triangles of all faces. Those of one face are side by side, and the faces are in file order.
+/// The triangles of all faces. The triangles of one face follow one another, and faces are in file order.
 struct Triangulation {
   std::vector<Triangle> triangles;            ///< vertex ids
   std::vector<std::array<Index, 3>> corners;  ///< see `cornersOf`; empty where no face has more than three corners

@@ -45,7 +45,7 @@ Parts mixedParts(const Positions& positions, const Triangle& triangle)
   return parts;
 }
 
-/// For each unknown the sum of its parts.
+/// Returns for each unknown the sum of its parts.
 Eigen::VectorXd summedParts(const Positions& positions, const std::vector<Triangle>& triangles,
                             Parts (*partsOf)(const Positions&, const Triangle&))
 {

@@ -65,8 +65,8 @@ class Refinement {
     near_.push_back(vertex);
   }
 
-  /// Moves each vertex once at most, the best first, and takes the last moves back that found nothing better. Whether
-  /// the parts are better than before.
+  /// Moves each vertex once at most, the best first, and takes the last moves back that found nothing better. Tells
+  /// whether the parts are better than before.
   bool improve()
   {
     for (Queue& queue : queues_) queue.clear();
@@ -106,7 +106,7 @@ class Refinement {
     return gains[0] == gains[1] ? heavier : gains[0] > gains[1] ? 0 : 1;
   }
 
-  /// Whether the first vertex in the queue may move, after those are gone that may not.
+  /// Tells whether the first vertex in the queue may move, after those are gone that may not.
   [[nodiscard]] bool hasMove(int side)
   {
     Queue& queue = queues_[side];

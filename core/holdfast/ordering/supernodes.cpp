@@ -37,7 +37,7 @@ bool mayStore(std::int64_t zeros, std::int64_t width, std::int64_t rowCount)
   return share < (width <= 16 ? 0.5 : width <= 48 ? 0.1 : 0.05);
 }
 
-/// Merges children into their parents where that stores few zeros. Those that went have no columns left.
+/// Merges children into their parents where that stores few zeros. Merged children have no columns left.
 void mergeSupernodes(std::vector<SupernodeDraft>& drafts)
 {
   for (SupernodeDraft& node : drafts) {

@@ -1,5 +1,5 @@
 #pragma once
-/// How strongly the edges of a mesh tie the rotations of their ends together.
+/// Edge weights say how strongly the edges of a mesh tie the rotations of their ends together.
 
 #include <vector>
 

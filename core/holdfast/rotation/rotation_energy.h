@@ -62,9 +62,9 @@ class RotationEnergy {
   /// model units.
   [[nodiscard]] Columns3 wanted(const UnknownRotations& R) const;
 
-  /// Returns the best of the free rotations for the displacement `u`. Those of regions are the best for any place of
-  /// the region that its hold allows. The rotations in `R` are the start. O(n), over all cores, with the same bits for
-  /// any number of them.
+  /// Returns the best of the free rotations for the displacement `u`. The rotation of a region is the best for any
+  /// place of the region that its hold allows. The rotations in `R` are the start. O(n), over all cores, with the same
+  /// bits for any number of them.
   [[nodiscard]] UnknownRotations fitted(const Columns3& u, const FreeRotations& free, UnknownRotations R) const;
 
   /// Returns the length of which `RotationOptions::change` is a share, in model units. It is the diagonal of the box,

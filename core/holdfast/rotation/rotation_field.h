@@ -30,7 +30,7 @@ struct RotationUnknowns {
   [[nodiscard]] Index columnCount() const noexcept { return static_cast<Index>(referenceOf.size()); }
 };
 
-/// What a given rotation asks of an equation: `weight` times its difference from another given rotation.
+/// A pull is what a given rotation asks of an equation: `weight` times its difference from another given rotation.
 struct RotationPull {
   Index row = 0;
   double weight = 0;
@@ -65,8 +65,8 @@ class RotationFieldSolver {
   /// non-negative weights, up to rounding. A part of the mesh may be tied to values that are all the same. Then q is
   /// exactly that there. Unknowns that are tied to no value have q = 0.
   ///
-  /// O(factor). It is O(n) where up to four values differ and are equal at the same places as in the call before. Not
-  /// for concurrent calls.
+  /// O(factor). It is O(n) where up to four values differ and are equal at the same places as in the call before. One
+  /// thread at a time may call it.
   [[nodiscard]] RotationField solve(const Columns3& values) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// What turns as one under a set of constraints, and the dependent rows whose gap depends on how it turns.
+/// Turning bodies turn as one under a set of constraints. The gap of some dependent rows depends on how they turn.
 
 #include <vector>
 

@@ -37,8 +37,8 @@ class ConstrainedSolver {
  public:
   virtual ~ConstrainedSolver() = default;
 
-  /// Solves for these targets. `f` (n x 3) is what A u should be near: 0 when no detail is rotated. O(factor). Not for
-  /// concurrent calls.
+  /// Solves for these targets. `f` (n x 3) is what A u should be near: 0 when no detail is rotated. O(factor). One
+  /// thread at a time may call it.
   [[nodiscard]] virtual Displacement solve(const RowTargets& targets, const Columns3& f) const = 0;
 
   /// Solves like `solve`, from a solution `near` for about the same. Where that is near enough it takes half the time,

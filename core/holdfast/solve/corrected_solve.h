@@ -1,5 +1,6 @@
 #pragma once
-/// Least-squares solutions with all the digits of a double. The factor behind them has only half of these.
+/// Corrected solves give least-squares solutions with all the digits of a double. The factor behind them has only half
+/// of these.
 
 #include <holdfast/solve/least_squares_factor.h>
 

@@ -26,7 +26,7 @@ constexpr double kMostNumbersOfNeededQ2 = 2e8;
 // The solver meets its rows once more where a solution misses one by more than this share of what it may miss.
 constexpr double kWellMet = 0.01;
 
-/// For each of `columns` sets of columns: in how many rows one of a set is the first.
+/// Returns for each of `columns` sets of columns in how many rows one of a set is the first.
 Eigen::VectorXd rowsOfSets(const SparseRows& rows, DisjointSets& columns)
 {
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(rows.cols());
@@ -133,7 +133,7 @@ class HardSolver final : public ConstrainedSolver {
     return missed;
   }
 
-  /// Whether `base` meets the rows that the base of this solver has as well: nothing else has changed.
+  /// Tells whether `base` meets the rows that the base of this solver has as well: nothing else has changed.
   [[nodiscard]] bool isOfBase(const Displacement& base, const Columns3& missed) const
   {
     if (reduced_->border == nullptr) return false;

@@ -13,7 +13,7 @@
 namespace holdfast {
 
 /// A factorised problem: minimise |C z - f| for any f. The last rows of C may be kept. These hold exactly, C z = 0
-/// there, and have a multiplier each. The factor does not need C any more. Not for concurrent calls.
+/// there, and have a multiplier each. The factor does not need C any more. One thread at a time may call it.
 class LeastSquaresFactor {
  public:
   virtual ~LeastSquaresFactor() = default;

@@ -25,7 +25,8 @@ std::vector<Index> flooded(const EdgeGraph& graph, Index start, std::vector<bool
   return piece;
 }
 
-/// Whether `a` is the inside rather than `b`: the smaller one, or that with the smallest id where both are as large.
+/// Tells whether `a` is the inside rather than `b`: the smaller one, or that with the smallest id where both are as
+/// large.
 bool isNearerInside(const std::vector<Index>& a, const std::vector<Index>& b)
 {
   return a.size() != b.size() ? a.size() < b.size() : a.front() < b.front();

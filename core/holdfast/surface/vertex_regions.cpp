@@ -177,7 +177,7 @@ std::vector<Index> SmoothFaces::around(Index face, double degrees, BendFrom from
   return faces;
 }
 
-/// Those of one face are side by side.
+/// The triangles of one face are side by side.
 std::vector<Index> SmoothFaces::trianglesOf(Index face) const
 {
   const auto [first, last] = std::equal_range(mesh_.faceOf.begin(), mesh_.faceOf.end(), face);

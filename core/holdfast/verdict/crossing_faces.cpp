@@ -8,11 +8,11 @@
 namespace holdfast {
 namespace {
 
-// As a share of the diagonal, a tenth of what is seen. Slivers of neighbouring faces pass one another by less, without
-// a sign of it in a picture.
+// A share of the diagonal, a tenth of what is seen. Slivers of neighbouring faces pass one another by less, without a
+// sign of it in a picture.
 constexpr double kTouch = kVisible / 10;
 
-// As a share of a triangle's area: what passes through its border does not pass through its inside.
+// A share of a triangle's area: what passes through its border does not pass through its inside.
 constexpr double kBorder = 1e-9;
 
 // Shares of the work after each of which it can be stopped.
@@ -59,7 +59,7 @@ std::array<double, 3> heightsOver(const TriangleCorners& corners, const Vector3&
   return heights;
 }
 
-/// Whether an edge of `other` runs through the triangle; `shared` is the corner of `other` that both have, or -1.
+/// Tells whether an edge of `other` runs through the triangle; `shared` is the corner of `other` that both have, or -1.
 bool isPierced(const TriangleCorners& corners, const TriangleCorners& other, int shared, double touch)
 {
   const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);

@@ -11,7 +11,7 @@
 namespace holdfast {
 namespace {
 
-// As a share of the diagonal: targets that lie farther off as a whole were measured in other coordinates.
+// A share of the diagonal: targets that lie farther off as a whole were measured in other coordinates.
 constexpr double kFarShift = 0.1;
 
 /// Adds a finding, unless it is about nothing. `text` follows the word for one or for many.
@@ -31,7 +31,7 @@ bool hasStatedRotation(const ConstraintSystem& system, const SolverMesh& mesh, i
   });
 }
 
-/// Whether constraints other than points hold vertices of the part in their places.
+/// Tells whether constraints other than points hold vertices of the part in their places.
 bool isHeldElsewhere(const ConstraintSystem& system, const SolverMesh& mesh, int part)
 {
   return std::ranges::any_of(system.rows, [&](const ConstraintRow& row) {

@@ -1,6 +1,6 @@
 #pragma once
-/// How a deformed surface differs from the surface at rest: folds, lengths, areas, volumes. Nothing here depends on how
-/// the surface is turned. Neighbours are compared with one another, and lengths with lengths.
+/// A shape change is how a deformed surface differs from the surface at rest: folds, lengths, areas, volumes. Nothing
+/// here depends on how the surface is turned. Neighbours are compared with one another, and lengths with lengths.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace holdfast {
 
-/// How many times as large things of one kind are as at rest.
+/// The sizes of things of one kind, as multiples of those at rest.
 struct Ratios {
   double least = 1;
   double most = 1;

@@ -231,7 +231,7 @@ double degreesOf(const Eigen::Matrix3d& R)
   return holdfast::angleDegrees(rotationLog(R));
 }
 
-/// Whether detail of any size looks another way.
+/// Tells whether detail of any size looks another way.
 bool isVisibleTurn(double degrees)
 {
   return 2 * std::sin(degrees / 2 * kDegree) > kVisibleDetail;

@@ -1,6 +1,6 @@
 #pragma once
-/// What targets say together. They may be the points turned, shifted or scaled as a whole. Two of them may have been
-/// swapped. Or a region is to stay level where the surface around it tilts.
+/// A stated motion is what targets say together. They may be the points turned, shifted or scaled as a whole. Two of
+/// them may have been swapped. A region may have to stay level where the surface around it tilts.
 
 #include <optional>
 #include <vector>

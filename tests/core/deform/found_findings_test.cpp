@@ -102,7 +102,7 @@ ConstraintList pushed(const Mesh& mesh, const Vector3& by)
   return test::listOf({test::hold(endOf(mesh, 0, false)), test::handle(endOf(mesh, 0, true), std::monostate{}, by)});
 }
 
-/// Whether the plate, bent a little to one side before, bends far when its end is pushed.
+/// Tells whether the plate, bent a little to one side before, bends far when its end is pushed.
 bool givesWay(Mesh mesh, const Vector3& by, RotationSource source)
 {
   const double length = mesh.positions.col(0).maxCoeff();

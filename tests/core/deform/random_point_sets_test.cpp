@@ -106,7 +106,7 @@ bool isClear(double distance)
   return distance < kRoundingDistance || distance > kClearDistance;
 }
 
-/// Whether the set is clear enough to be compared.
+/// Tells whether the set is clear enough to be compared.
 bool expectVerdictsOfLongDoubles(const RandomPointSet& set, const Mesh& mesh, const Model& model)
 {
   const std::vector<double> distances = distancesInLongDouble(set, mesh);

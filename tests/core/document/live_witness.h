@@ -24,8 +24,8 @@ namespace holdfast::test {
 /// A revision and how the work on it ended.
 using End = std::pair<std::uint64_t, LiveEvent::Kind>;
 
-/// Where a test holds the worker back: at the first event of this revision and kind, and with this message if it says
-/// one.
+/// A test holds the worker back at a gate: at the first event of this revision and kind, and with this message if it
+/// says one.
 struct Gate {
   std::uint64_t revision = 0;
   LiveEvent::Kind kind = LiveEvent::Kind::Started;
@@ -50,7 +50,7 @@ class Witness {
     return [this](const LiveEvent& event) { take(event); };
   }
 
-  /// Whether the worker has come to the gate in time.
+  /// Tells whether the worker has come to the gate in time.
   [[nodiscard]] bool isAtGate() { return reached_.wait(); }
   void openGate() { gateway_.open(); }
 
@@ -66,7 +66,7 @@ class Witness {
     return events_;
   }
 
-  /// Whether the work on `revision` has come, in time, to a stage that begins so.
+  /// Tells whether the work on `revision` has come, in time, to a stage that begins so.
   [[nodiscard]] bool hasStep(std::uint64_t revision, std::string_view start)
   {
     return waitUntil([&] {

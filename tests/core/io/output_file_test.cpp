@@ -45,7 +45,7 @@ std::string complaint(const fs::path& path, std::string_view bytes)
   }
 }
 
-/// Whether `holds` is true in a child process, whose limits and user are its own.
+/// Tells whether `holds` is true in a child process, whose limits and user are its own.
 bool holdsInChild(const std::function<bool()>& holds)
 {
   const pid_t child = ::fork();

@@ -25,7 +25,7 @@ struct PlainHit {
   Vector3 weights = Vector3::Zero();
 
   [[nodiscard]] bool isInside() const { return t > 0 && weights.minCoeff() >= 0; }
-  /// Whether rounding could decide.
+  /// Tells whether rounding could decide.
   [[nodiscard]] bool isClose() const { return std::abs(weights.minCoeff()) < 1e-9 || std::abs(t) < 1e-9; }
 };
 

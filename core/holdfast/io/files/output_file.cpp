@@ -161,7 +161,7 @@ int writeAndFlush(const FileDescriptor& file, std::string_view bytes, const std:
   if (code == 0) code = writeAll(file, bytes);
   // EINVAL: the file system cannot flush single files.
   if (code == 0 && ::fsync(file.get()) != 0 && errno != EINVAL) code = errno;
-  // Some file systems tell of a full disk at a close. That of a duplicate keeps the lock.
+  // Some file systems tell of a full disk at a close. To close a duplicate keeps the lock.
   const int closing = FileDescriptor(::dup(file.get())).close();
   return code != 0 ? code : closing;
 }

@@ -48,7 +48,7 @@ class Splitter {
     return count > 0;
   }
 
-  /// Whether another field follows. Blanks at the end of a line separate nothing.
+  /// Tells whether another field follows. Blanks at the end of a line separate nothing.
   bool skipSeparator()
   {
     if (isByBlanks()) return skipBlanks() && !rest_.empty() && rest_[0] != '\n' && rest_[0] != '\r';

@@ -22,7 +22,7 @@ struct Mark {
 constexpr std::array<Mark, 4> kMarks{
     {{"\xFF\xFE\0\0"sv, "UTF-32"}, {"\0\0\xFE\xFF"sv, "UTF-32"}, {"\xFF\xFE"sv, "UTF-16"}, {"\xFE\xFF"sv, "UTF-16"}}};
 
-/// Whether four letters follow, each in two bytes, of which one is zero.
+/// Tells whether four letters follow, each in two bytes, of which one is zero.
 bool hasTwoBytesALetter(std::string_view bytes)
 {
   constexpr std::size_t kLetters = 4;

@@ -34,8 +34,8 @@ ParsedNumber<double> special(std::string_view token)
   return {sign * found->value, NumberFault::None};
 }
 
-/// Whether the first digit that is not 0 stands behind the point, exponent included: of numbers that no double can
-/// hold, those are too small.
+/// Tells whether the first digit that is not 0 stands behind the point, exponent included: of numbers that no double
+/// can hold, those are too small.
 bool isTooSmall(std::string_view token)
 {
   const std::size_t end = std::min(token.find_first_of("eE"), token.size());

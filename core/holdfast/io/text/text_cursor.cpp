@@ -20,7 +20,7 @@ bool isLineEnd(char c)
   return c == '\n' || c == '\r';
 }
 
-/// Whether the first line ends in CR alone.
+/// Tells whether the first line ends in CR alone.
 bool endsInReturnAlone(std::string_view text)
 {
   const std::size_t end = text.find_first_of("\r\n");

@@ -141,7 +141,7 @@ ViewFrame defaultFrame(const Positions& positions, UpAxis up)
 
 void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect, const FreeSides& free)
 {
-  // Planes of these slopes through the eye have all points between them. Those of a parallel projection are parallel,
+  // Planes of these slopes through the eye have all points between them. In a parallel projection they are parallel,
   // and its half height takes the place of the eye's distance.
   const bool isParallel = camera.GetParallelProjection() != 0;
   const double lens = std::tan(kViewAngleDegrees / 2 * kDegree);
@@ -154,7 +154,7 @@ void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, dou
   Eigen::Matrix<double, 3, 6> directions;
   directions << slopeRight * back + frame.right, slopeLeft * back - frame.right, slope * back + frame.up,
       slope * back - frame.up, frame.back, -frame.back;
-  // Not as a product of matrices, which would hold all points six times.
+  // A product of matrices would hold all points six times.
   const Eigen::RowVector<double, 6> reach = points.lazyProduct(directions).colwise().maxCoeff();
   const double nearest = reach[4];
   const double farthest = -reach[5];

@@ -188,7 +188,7 @@ int borderStep(int bands)
   return step;
 }
 
-/// Where colours change.
+/// Returns a tick at each place where colours change.
 std::vector<Tick> borderTicks(const ColorScale& scale)
 {
   const bool isLinear = scale.scaling == Scaling::Linear;

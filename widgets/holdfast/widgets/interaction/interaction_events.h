@@ -1,8 +1,8 @@
 #pragma once
-/// What the widgets of this folder share: events beside VTK's, bindings, cursor, clicks and modes of selection.
-/// The page docs/widgets.md lists the events and the bindings of each widget, with the call data. The event translator
-/// of a widget can change its bindings. Sizes are pixels of a display of ordinary resolution. `PixelRatio`, 1 by
-/// default, is the number of window pixels for each of them.
+/// The widgets of this folder share events beside VTK's, bindings, cursor, clicks and modes of selection. The page
+/// docs/widgets.md lists the events and the bindings of each widget, with the call data. The event translator of a
+/// widget can change its bindings. Sizes are pixels of a display of ordinary resolution. `PixelRatio`, 1 by default, is
+/// the number of window pixels for each of them.
 
 #include <algorithm>
 #include <cmath>

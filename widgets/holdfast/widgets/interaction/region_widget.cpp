@@ -30,7 +30,8 @@ DisplayPoint centerOf(const DisplayPoint& pixel)
   return centerOfPixel(pixel.x(), pixel.y());
 }
 
-/// Where the sides of the polygon cross the middle of each row of pixels, row after row from `bottom`, ascending.
+/// Returns the places where the sides of the polygon cross the middle of each row of pixels, row after row from
+/// `bottom`, ascending.
 std::vector<std::vector<double>> crossingsOfRows(const std::vector<DisplayPoint>& corners, double bottom, double top)
 {
   std::vector<std::vector<double>> rows(static_cast<std::size_t>(top - bottom) + 1);

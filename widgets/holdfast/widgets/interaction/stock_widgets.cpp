@@ -80,7 +80,7 @@ void OrientationRepresentation::HighlightHandle()
 
 void OrientationRepresentation::EndWidgetInteraction(double place[2])
 {
-  // Whether the ball under the cursor is the nearest to the viewer, with that of the other direction right behind it.
+  // True if the ball under the cursor is the nearest to the viewer, with that of the other direction right behind it.
   bool isFacing = false;
   if (this->PickedAxis >= 0) {
     const Vector3 axis = (this->PickedDir == 0 ? 1 : -1) * Vector3::Unit(this->PickedAxis);

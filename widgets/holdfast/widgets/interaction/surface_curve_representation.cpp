@@ -110,7 +110,7 @@ std::vector<Index> SurfaceCurveRepresentation::GetPath() const
   return path;
 }
 
-/// Whether the vertex may be a place beside all others but `moved`.
+/// Tells whether the vertex may be a place beside all others but `moved`.
 bool SurfaceCurveRepresentation::IsPossible(Index vertex, int moved) const
 {
   if (!this->Surface || !this->Interpolator->GetRegions()) return false;

@@ -12,7 +12,7 @@ SurfaceCurveWidget::SurfaceCurveWidget()
 {
   this->FollowCursor = 1;
   this->ManagesCursor = 1;
-  // That of VTK is there already.
+  // The base class has made a representation of VTK already.
   this->SetRepresentation(vtkNew<SurfaceCurveRepresentation>());
   this->EventTranslator->ClearEvents();
   using Widget = SurfaceCurveWidget;

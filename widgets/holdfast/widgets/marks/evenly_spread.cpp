@@ -28,7 +28,7 @@ class Grid {
   {
   }
 
-  /// Whether one of those added is nearer than the size of a cell.
+  /// Tells whether one of those added is nearer than the size of a cell.
   [[nodiscard]] bool hasNear(Index point) const
   {
     const Cell own = cellOf(point);

@@ -148,7 +148,7 @@ class DisabledMarks {
   Selector selector_;
 };
 
-/// Those of `group` that are drawn where there are too many.
+/// Returns those of `group` that are drawn where there are too many.
 std::vector<Index> thinned(const std::vector<ConstraintMark>& marks, const std::vector<Index>& group)
 {
   Positions rest(static_cast<Index>(group.size()), 3);
@@ -158,7 +158,7 @@ std::vector<Index> thinned(const std::vector<ConstraintMark>& marks, const std::
   return kept;
 }
 
-/// Whether both lists hold the same places with the same statuses: then the same marks are drawn.
+/// Tells whether both lists hold the same places with the same statuses: then the same marks are drawn.
 bool areDrawnAlike(const std::vector<ConstraintMark>& a, const std::vector<ConstraintMark>& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ConstraintMark& p, const ConstraintMark& q) {

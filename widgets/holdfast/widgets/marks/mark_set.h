@@ -46,9 +46,9 @@ struct ConstraintMark {
   Index nearest = -1;    ///< of the unknowns that make the place, the one with the largest weight
 };
 
-/// Makes a mark for each row that has terms, in the order of rows. The mark of a rigid region lies at its vertex. That
-/// of a relative constraint lies at the place that `from` names. The target of both is where they should lie as the
-/// other place is now. O(rows).
+/// Makes a mark for each row that has terms, in the order of rows. The mark of a rigid region lies at its vertex. The
+/// mark of a relative constraint lies at the place that `from` names. The target of both is where they should lie as
+/// the other place is now. O(rows).
 [[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResult& deformation);
 
 /// Makes the same marks and adds those of the disabled constraints of `list`. These lie where the constraints would

@@ -6,7 +6,7 @@
 namespace holdfast {
 namespace {
 
-// Those of disabled constraints are hollow.
+// The tints of disabled constraints are hollow.
 constexpr double kHollow = 0.10;
 constexpr double kFilled = 0.45;
 

@@ -23,7 +23,7 @@ class RegionTints {
   /// Highlights the regions of these constraints, which are places in the list. O(T).
   void highlight(std::vector<Index> constraints);
 
-  /// Returns the tints in the order in which they are drawn. Those of selected regions come last.
+  /// Returns the tints in the order in which they are drawn. The tints of selected regions come last.
   [[nodiscard]] const std::vector<std::unique_ptr<FaceTint>>& tints() const noexcept { return tints_; }
 
  private:

@@ -22,7 +22,7 @@ class SelectionOverlay {
   /// Makes an overlay without vertices. `model` and `mesh` must stay alive as long as the overlay.
   SelectionOverlay(const Model& model, const MeshActor& mesh);
 
-  /// Selects these vertices of the file, in any order. Those that no face uses do not show. O(T).
+  /// Selects these vertices of the file, in any order. Vertices that no face uses are not shown. O(T).
   void set(const std::vector<Index>& fileVertices);
 
   /// Shows the selection on what is drawn of the mesh now. Call it after `MeshActor::setHidden`. O(T).

@@ -40,8 +40,8 @@ void forEachCell(vtkPolyData& polyData, vtkCellArray& cells, const char* kind, c
   }
 }
 
-/// Every second triangle of a strip in reverse order, so that all have the same side up. Those that name a point twice
-/// only continue it.
+/// Adds every second triangle of a strip in reverse order, so that all have the same side up. Triangles that name a
+/// point twice only continue the strip.
 void addStrip(Polygons& polygons, const std::vector<Index>& strip)
 {
   for (std::size_t k = 0; k + 2 < strip.size(); ++k) {

@@ -12,7 +12,7 @@ namespace holdfast {
 struct ShadedSurface {
   Polygons triangles;           ///< over points
   std::vector<Index> vertexOf;  ///< the vertex of the file for each point
-  /// For each side of each triangle, the triangle beyond it. It is -1 where there is none, or several.
+  /// The triangle beyond each side of each triangle; -1 if there is none, or several.
   std::vector<Triangle> across;
   std::vector<std::array<Index, 2>> creases;  ///< the points at the ends of the sharp edges and borders that are drawn
   std::vector<std::array<Index, 2>> creaseSides;  ///< each crease with each triangle at it

@@ -41,8 +41,8 @@ enum class ScreenReach {
 /// Finds the vertices of the file that are shown inside `polygon` in the renderer's part of the window, a few at a
 /// time. Corners are pixels as a cursor names them. Each means the centre of the pixel.
 ///
-/// Vertices that no face uses are left out, and so are those behind the eye. Those that a section cuts away or whose
-/// faces are not shown are left out as well. O(N) and, for `VisibleOnly`, about O(k log T) for k vertices inside.
+/// Vertices that no face uses are left out. So are vertices behind the eye, vertices that a section cuts away, and
+/// vertices whose faces are not shown. O(N) and, for `VisibleOnly`, about O(k log T) for k vertices inside.
 ///
 ///     const std::vector<DisplayPoint> corners{{100, 100}, {400, 100}, {250, 300}};
 ///     ScreenSelection selection(*renderer, surface, corners, ScreenReach::VisibleOnly);

@@ -58,7 +58,7 @@ class Search {
 
   [[nodiscard]] bool hitsSurface() const { return hit_.has_value(); }
 
-  /// Those of the face under the cursor and of all that share a vertex with it.
+  /// Returns the triangles of the face under the cursor and of all that share a vertex with it.
   [[nodiscard]] std::vector<Index> trianglesAround() const
   {
     const std::vector<int>& faceOf = model_.triangulation.faceOf;
@@ -167,7 +167,7 @@ class Search {
     return sortedOnce(std::move(sides));
   }
 
-  /// Whether the side is one of the face that the triangle is cut from, not a cut.
+  /// Tells whether the side is one of the face that the triangle is cut from, not a cut.
   [[nodiscard]] bool isSideOfFace(Index triangle, int side) const
   {
     const auto corners = model_.triangulation.cornersOf(triangle);

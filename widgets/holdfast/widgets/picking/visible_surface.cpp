@@ -52,7 +52,7 @@ RayRange VisibleSurface::keptPart(const Ray& ray, const RayRange& range) const
   return {range.begin, std::min(range.end, crossing)};
 }
 
-/// Whether triangles other than `own` lie between the ray's origin and its place at t = 1.
+/// Tells whether triangles other than `own` lie between the ray's origin and its place at t = 1.
 bool VisibleSurface::isBlocked(const Ray& toPlace, std::span<const Index> own) const
 {
   // Parts of the surface that touch a place do not hide it, though rounding may put them this share of the way nearer.

@@ -76,8 +76,8 @@ class VisibleSurface {
   /// Returns the first hit of a ray on what is neither hidden nor cut away.
   [[nodiscard]] std::optional<RayHit> firstHit(const Ray& ray) const { return rays_.firstHit(ray, keptPart(ray)); }
 
-  /// Returns all triangles within reach of a ray, and some that almost are (`RayCaster::withinReach`). Those that are
-  /// cut away count as well.
+  /// Returns all triangles within reach of a ray, and some that almost are (`RayCaster::withinReach`). Triangles that
+  /// are cut away count as well.
   [[nodiscard]] std::vector<Index> withinReach(const Ray& ray, const RayReach& reach) const
   {
     return rays_.withinReach(ray, reach);

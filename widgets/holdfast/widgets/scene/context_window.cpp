@@ -6,7 +6,7 @@
 namespace holdfast {
 namespace {
 
-/// Whether the functions of OpenGL are there, and only those of X are not.
+/// Tells whether the functions of OpenGL are there, and only those of X are not.
 bool lacksOnlyX()
 {
 #ifdef GLEW_ERROR_NO_GLX_DISPLAY

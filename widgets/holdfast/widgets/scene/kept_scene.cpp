@@ -16,7 +16,7 @@
 namespace holdfast {
 namespace {
 
-// As VTK makes those that it draws in: depths are copied between equals only.
+// VTK draws into buffers of this depth, and depths are copied between equals only.
 constexpr int kDepthBits = 32;
 
 }  // namespace

@@ -10,8 +10,8 @@
 namespace holdfast {
 namespace {
 
-/// Whether the renderer draws onto the picture that is there. Not by `SetErase`, with which VTK keeps Qt's state of
-/// OpenGL: without a test of depths.
+/// Sets whether the renderer draws onto the picture that is there. With `SetErase` VTK would keep Qt's state of OpenGL,
+/// which tests no depths.
 void setOnTop(vtkRenderer& renderer, bool isOnTop)
 {
   renderer.SetPreserveColorBuffer(isOnTop ? 1 : 0);

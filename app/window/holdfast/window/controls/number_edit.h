@@ -20,7 +20,7 @@ class NumberEdit : public QLineEdit {
   /// Shows a number, or "mixed" if there are several. It does not disturb a user who is typing.
   void setNumber(std::optional<double> number);
   [[nodiscard]] std::optional<double> typed() const { return typedNumber(text()); }
-  /// Shows a number in place of what the user has typed.
+  /// Replaces what the user has typed by a number.
   void replaceTyped(std::optional<double> number);
 
   [[nodiscard]] QSize sizeHint() const override;

@@ -83,7 +83,7 @@ void VtkView::paintGL()
   state.vtkglDepthFunc(GL_LEQUAL);
   RenderWindowAdapter->paint();
   interactor()->EnableRenderOff();
-  // As VTK's painting, but without setting the opacity of all pixels, for which the window would wait.
+  // This paints as VTK does, but does not set the opacity of all pixels, for which the window would wait.
   makeCurrent();
   context()->functions()->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
   window.BlitDisplayFramebuffer();

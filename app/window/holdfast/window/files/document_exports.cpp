@@ -90,7 +90,7 @@ QImage pictureOf(const Model& model, const DeformResult& deformation, const Pict
     return image;
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
-  // As large beside the mesh as in the window.
+  // Texts are as large beside the mesh as in the window.
   const double scale = std::max(0.5, image.height() / static_cast<double>(view.size.height()));
   painter.scale(scale, scale);
   view.paintLegend(painter, QRectF(0, 0, image.width() / scale, image.height() / scale));

@@ -31,8 +31,8 @@ class DocumentFiles : public QObject {
   /// Sets the function that returns what sessions keep of the view. By default they keep nothing.
   void setView(std::function<ViewState()> view) { view_ = std::move(view); }
 
-  /// Reads a mesh or a session (`.holdfast`) on a thread of its own, in place of what is being opened. It asks before
-  /// about unsaved changes. It also asks about the mesh of a session if that is missing or has changed.
+  /// Reads a mesh or a session (`.holdfast`) on a thread of its own. It asks about unsaved changes first, and gives up
+  /// a file that is being opened. It also asks about the mesh of a session if that is missing or has changed.
   void open(const QString& path);
   void openDialog();
   /// Opens an example as a document that was never saved.

@@ -205,7 +205,7 @@ class ImportDialog : public QDialog {
     table_->verticalHeader()->hide();
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    // For visible rows only: there may be a hundred thousand.
+    // The widths fit a hundred rows: there may be a hundred thousand.
     table_->horizontalHeader()->setResizeContentsPrecision(100);
     table_->setSortingEnabled(true);
     table_->sortByColumn(-1, Qt::AscendingOrder);

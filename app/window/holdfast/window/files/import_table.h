@@ -15,7 +15,7 @@ class ImportTable : public QAbstractTableModel {
  public:
   enum Column { Name, Kind, Place, Goal, Distance, Where };
 
-  /// The role of what rows are sorted by. Distances are sorted as numbers, other columns as texts.
+  /// The role of the values by which rows are sorted. Distances are sorted as numbers, other columns as texts.
   static constexpr int kSortRole = Qt::UserRole;
 
   [[nodiscard]] const ImportContents& contents() const { return contents_; }

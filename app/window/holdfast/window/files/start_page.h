@@ -12,7 +12,7 @@
 
 namespace holdfast {
 
-/// The gallery shows buttons with pictures. As many are beside one another as there is room for.
+/// The gallery shows buttons with pictures. It puts as many in a row as there is room for.
 class Gallery : public QWidget {
  public:
   Gallery();

@@ -1,5 +1,5 @@
 #pragma once
-/// One part of the inspector. It shows and edits what some kinds of constraints have in common.
+/// A section is one part of the inspector. It shows and edits what some kinds of constraints have in common.
 
 #include <QComboBox>
 #include <algorithm>

@@ -30,7 +30,7 @@ bool isFloat(double value)
   return static_cast<double>(static_cast<float>(value)) == value;
 }
 
-/// As formats of text write a float.
+/// Tells whether nine digits hold the value: text formats write a float with so many.
 bool hasNineDigits(double value)
 {
   const std::string digits = fmt::format("{:.9g}", value);

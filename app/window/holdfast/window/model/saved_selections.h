@@ -18,7 +18,7 @@ void renameSavedSelection(Editor& editor, Index place, const QString& name);
 /// Removes the selections at `places`, which are ascending.
 void removeSavedSelections(Editor& editor, const Rows& places);
 
-/// Selects a saved selection in place of what is selected. Throws `InputError` where the mesh has no such vertices.
+/// Selects a saved selection instead of the present one. Throws `InputError` where the mesh has no such vertices.
 void selectSaved(Editor& editor, Index place);
 
 }  // namespace holdfast

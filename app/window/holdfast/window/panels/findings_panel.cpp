@@ -110,7 +110,7 @@ class FindingsPanel final : public RefreshedPanel {
     std::ranges::stable_partition(findings_, [this](const Finding& finding) { return isWarning(finding); });
   }
 
-  /// Whether it is about what the solution made of the part.
+  /// Tells whether it is about what the solution made of the part.
   [[nodiscard]] bool isWarning(const Finding& finding) const
   {
     return std::ranges::find(warnings_, finding.kind) != warnings_.end();

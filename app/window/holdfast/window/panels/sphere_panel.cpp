@@ -142,7 +142,7 @@ void SpherePanel::refresh()
 
 void SpherePanel::place()
 {
-  // Whether anything turns is not known yet.
+  // It is not known yet whether anything turns.
   if (!placed_) pages_->showHint({});
   placing_.start([this, model = editor_.model(), deformation = editor_.deformation(), before = placed_,
                   coloring = coloring_](Progress&) -> BackgroundJob::Finish {

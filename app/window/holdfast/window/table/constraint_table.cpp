@@ -57,7 +57,7 @@ class NumberCells : public QStyledItemDelegate {
     QStyledItemDelegate::initStyleOption(option, index);
     const std::optional<double> number = typedNumber(index.data(Qt::EditRole).toString());
     if (!number) return;
-    // As styles leave it free beside a text.
+    // Styles leave this margin free beside a text.
     const int margin = option->widget->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, option, option->widget) + 1;
     const int room = option->rect.width() - 2 * margin;
     option->text = fittingText(*number, option->text, [&](const QString& text) {

@@ -52,7 +52,7 @@ bool isResult(int column)
   return column == ConstraintTableModel::Distance || column >= ConstraintTableModel::Residual;
 }
 
-/// Whether cells are nothing but digits.
+/// Tells whether cells are nothing but digits.
 bool isOfNumbers(int column)
 {
   return column >= ConstraintTableModel::Distance && column < ConstraintTableModel::Status;

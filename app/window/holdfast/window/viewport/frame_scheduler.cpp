@@ -130,15 +130,16 @@ void FrameScheduler::render()
   awaitDrawing();
 }
 
-/// Whether a drag's widgets wait for what they drag. Without a GPU their own pictures take the cores from the solver.
+/// Tells whether a drag's widgets wait for what they drag. Without a GPU their own pictures take the cores from the
+/// solver.
 bool FrameScheduler::isSolutionAwaited() const
 {
   return !isSceneDue_ && isHeld_ && editor_.solveState() == SolveState::Solving && drawing_.isValid() &&
          drawing_.elapsed() < kMostMillisecondsUnsolved;
 }
 
-/// Whether a picture is drawn with fewer triangles, and in full when the mouse rests. Fewer of a small mesh would save
-/// little.
+/// Tells whether a picture is drawn with fewer triangles, and in full when the mouse rests. Fewer of a small mesh would
+/// save little.
 bool FrameScheduler::movesCoarse() const
 {
   return contents_ != nullptr && isLarge(*editor_.model()) && fullMilliseconds_ > kFluentMilliseconds;

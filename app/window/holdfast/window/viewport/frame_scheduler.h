@@ -1,5 +1,5 @@
 #pragma once
-/// When the picture of a viewport is drawn, and in how many steps.
+/// A frame scheduler decides when the picture of a viewport is drawn, and in how many steps.
 
 #include <QElapsedTimer>
 #include <QTimer>

@@ -21,7 +21,7 @@ namespace {
 // Threads of Mesa's renderer for machines without a GPU.
 constexpr const char* kDrawingThreads = "llvmpipe-";
 
-/// Where constraints act on the way from rest.
+/// Returns the marks where constraints act on the way from rest.
 std::vector<ConstraintMark> marksAt(std::vector<ConstraintMark> marks, double share)
 {
   for (ConstraintMark& mark : marks) mark.place = (1 - share) * mark.rest + share * mark.place;

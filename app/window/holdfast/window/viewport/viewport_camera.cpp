@@ -16,7 +16,7 @@
 namespace holdfast {
 namespace {
 
-// For the axes in the corner and for a legend of usual numbers, and at most a share of the width.
+// The axes in the corner and a legend of usual numbers need so much room. It is at most a share of the width.
 constexpr double kPixelsFree = 140;
 constexpr double kMostFree = 0.25;
 
@@ -30,7 +30,7 @@ constexpr int kGizmoSteps = 5;
 
 constexpr std::size_t kMostViews = 200;
 
-/// Whether these places lie farther from the mesh than it is large: beside them it would be a speck.
+/// Tells whether these places lie farther from the mesh than it is large: beside them it would be a speck.
 bool isFarFrom(const Eigen::AlignedBox3d& mesh, const std::vector<Vector3>& places)
 {
   Vector3 middle = Vector3::Zero();

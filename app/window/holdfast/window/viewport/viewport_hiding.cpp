@@ -8,7 +8,7 @@
 namespace holdfast {
 namespace {
 
-/// Whether each triangle belongs to a face whose corners are all among `vertices`.
+/// Tells for each triangle whether it belongs to a face whose corners are all among `vertices`.
 std::vector<char> trianglesBetween(const std::vector<Index>& vertices, const Model& model)
 {
   std::vector<char> isIn(static_cast<std::size_t>(model.mesh.vertexCount()), 0);

@@ -62,7 +62,7 @@ QPixmap haloOf(const QString& text, const QPainter& painter, const QFontMetricsF
   return halo;
 }
 
-/// Where everything is; what is added is above what was added before.
+/// The places of everything. What is added is above what was added before.
 class Layout {
  public:
   Layout(const QRectF& area, const QFontMetricsF& metrics)
@@ -164,7 +164,7 @@ class Layout {
     return bar_.bottom() - shareOf(scale, value) * bar_.height();
   }
 
-  /// What is not on the scale.
+  /// Adds the marks of values that are not on the scale.
   void addOutside(double middle, const Color& color, const QString& text)
   {
     const double height = kOutsideShare * metrics_.height();

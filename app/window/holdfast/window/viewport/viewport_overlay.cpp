@@ -38,7 +38,7 @@ bool isRotation(ColorBy field)
   return field == ColorBy::Rotation || field == ColorBy::Angle;
 }
 
-/// As the ruler says it, with the decimals of the document.
+/// Returns the ruler's text with the decimals of the document.
 QString rulerText(SurfaceRulerRepresentation& ruler, const LengthStyle& style)
 {
   if (!style.decimals) return toText(ruler.GetLabel());

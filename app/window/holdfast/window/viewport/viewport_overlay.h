@@ -69,7 +69,7 @@ class ViewportOverlay : public QWidget {
   Viewport& viewport_;
   std::vector<const Tool*> tools_;
   QTimer clock_;  // while the document is solved
-  // As they were last:
+  // The last ones:
   LegendContent legend_;
   QString stateText_;
   QRectF cursorNote_;

@@ -39,7 +39,7 @@ QStringList localFiles(const QMimeData& data)
 // Longer than it takes to draw most pictures.
 constexpr int kPictureDelay = 500;
 
-/// What every document has: how it is coloured and what is shown beside it.
+/// Sets what every document has: how it is coloured and what is shown beside it.
 QVariant settingOf(const ViewState& view)
 {
   SessionFile session;

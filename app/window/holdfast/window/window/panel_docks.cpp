@@ -19,7 +19,7 @@ constexpr int kLeastPanelWidth = 340;
 constexpr int kMostPanelWidth = 680;
 constexpr int kLeastPictureWidth = 640;
 
-/// As wide as panels may be: the picture comes first.
+/// Panels may be so wide: the picture comes first.
 int mostPanelWidth(int windowWidth)
 {
   return std::clamp(windowWidth - kLeastPictureWidth, kLeastPanelWidth, kMostPanelWidth);
