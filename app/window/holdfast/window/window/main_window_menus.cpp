@@ -322,7 +322,7 @@ void MainWindow::makeViewMenu()
                      tr("Show the surface shaded, as a wireframe, or as points, in turn"), Needs::Document,
                      next(&DisplaySettings::surface, 3)}});
   const auto along = [this](GizmoAxes axes) { return [this, axes] { gizmo_->setAxes(axes); }; };
-  const QString own = tr("Its &own: a handle's, or across the surface");
+  const QString own = tr("Of the &constraint: those of a handle, or across the surface at a point");
   addChoices(
       *menu.addMenu(tr("A&xes of the arrows")),
       {{"axesWorld", tr("Of the &world"), "Shift+W", tr("Of the world"), Needs::Nothing, along(GizmoAxes::World)},
