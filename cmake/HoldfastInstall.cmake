@@ -1,4 +1,4 @@
-# What `cmake --install` puts where, and the package that find_package(holdfast) then finds: one export set a layer, so
+# Installs the project, and makes the package that find_package(holdfast) then finds. Each layer is an export set, so
 # that a consumer of the core never needs what the widgets need.
 
 include(CMakePackageConfigHelpers)
@@ -24,7 +24,7 @@ foreach(program IN ITEMS holdfast-batch holdfast-batch-vtk holdfast)
   endif()
 endforeach()
 
-# What the window shows of them: the manual, examples and their pictures.
+# The window shows these: the manual, examples and their pictures.
 if(TARGET holdfast)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/data" "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DATADIR}/holdfast")
 endif()

@@ -1,4 +1,4 @@
-# How every target of the project is compiled.
+# The options by which every target of the project is compiled.
 
 add_library(holdfast_warnings INTERFACE)
 target_compile_options(holdfast_warnings INTERFACE

@@ -1,7 +1,7 @@
-# Commands in a bare Debian of a given release, in a folder of its own. Sourced, not run; expects the root of the project
-# as working folder and scripts/lib/packages.sh. Needs root rights.
+# Commands in a bare Debian of a given release, in a folder of its own. This file is sourced, not run, after
+# scripts/lib/packages.sh. The root of the project must be the working folder. It needs root rights.
 
-# Where this system gets its packages from.
+# Prints where this system gets its packages from.
 package_mirror() {
   apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | head -n 1
 }

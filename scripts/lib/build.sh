@@ -1,4 +1,5 @@
-# How the scripts configure and build. Sourced, not run; expects the root of the project as working folder.
+# Functions by which scripts configure and build. This file is sourced, not run. The root of the project must be the
+# working folder.
 
 # Memory that may still be used, in MiB: the machine's, or less where a container is given less.
 available_memory() {

@@ -9,12 +9,12 @@ declare -A model_checksums=(
   [dragon.ply]=fea87ff48f2aba22fb53e7b67c3ff3f7b8c2a3b3a0653af62c48bba67c6d5744
 )
 
-# Whether the folder has the model, with the right bytes.
+# Tells whether the folder has the model, with the right bytes.
 has_model() {
   [ -f "$1/$2" ] && [ "$(sha256sum <"$1/$2")" = "${model_checksums[$2]}  -" ]
 }
 
-# Whether the folder has them all; says which are missing.
+# Tells whether the folder has them all, and says which are missing.
 has_models() {
   local model status=0
   for model in "${!model_checksums[@]}"; do

@@ -1,4 +1,4 @@
-# What a bare Debian 12 or 13 needs to build, test and run Holdfast. Sourced, not run.
+# The packages that a bare Debian 12 or 13 needs to build, test and run Holdfast. This file is sourced, not run.
 
 holdfast_packages=(
   g++ cmake ninja-build ccache
@@ -9,10 +9,10 @@ holdfast_packages=(
   xvfb libgl1-mesa-dri
 )
 
-# Those of the packages named that are not installed, one a line.
+# Prints those of the packages named that are not installed, one a line.
 absent_packages() {
   local known installed
-  # Fails where a package is not known at all, which is an answer too.
+  # This fails where a package is not known at all, which is an answer too.
   known=$(dpkg-query --show --showformat '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null) || true
   installed=$(sed -n 's/^installed //p' <<<"$known")
   comm -23 <(printf '%s\n' "$@" | sort -u) <(sort -u <<<"$installed")

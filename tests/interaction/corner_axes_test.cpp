@@ -73,7 +73,7 @@ TEST_F(OrientationOfGrid, ABallLooksFromItsEndAndTheOneThatFacesTheViewerFromBeh
     }
 }
 
-/// When each part of a representation was made, as GPUs are told.
+/// Returns when each part of a representation was made, as GPUs are told.
 std::vector<vtkMTimeType> makingsOf(vtkCameraOrientationRepresentation& representation)
 {
   vtkNew<vtkPropCollection> parts;

@@ -31,7 +31,8 @@ std::string keep(const Picture& picture)
   return path.string();
 }
 
-/// Those of the running test: of one renderer in the folder itself, of others in folders named after them.
+/// Returns the baselines of the running test. Those of one renderer lie in the folder itself, those of others in
+/// folders named after them.
 std::vector<std::filesystem::path> baselines()
 {
   const std::filesystem::path folder = HOLDFAST_BASELINE_DIR;

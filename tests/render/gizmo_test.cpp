@@ -210,7 +210,7 @@ TEST(GizmoPicture, IsTheSceneAloneWhileHidden)
   EXPECT_EQ(test::shareOfOtherPixels(hidden, draw(fixture.scene, "picture")), 0);
 }
 
-/// When VTK drew each text of the gizmo as an image, which is loaded onto the graphics card then.
+/// Returns when VTK drew each text of the gizmo as an image, which is loaded onto the graphics card then.
 std::vector<vtkMTimeType> textTimes(const GizmoRepresentation& gizmo)
 {
   std::vector<vtkMTimeType> times;

@@ -77,7 +77,7 @@ class Slab {
     return vertices;
   }
 
-  /// Where the vertices inside the turned end are, none of them on a sharp edge.
+  /// Returns where the vertices inside the turned end are, none of them on a sharp edge.
   [[nodiscard]] std::vector<Vector3> insideTheTurnedEnd() const
   {
     std::vector<Vector3> places;
@@ -89,7 +89,7 @@ class Slab {
     return places;
   }
 
-  /// Where a vertex of the top is.
+  /// Returns where a vertex of the top is.
   [[nodiscard]] Vector3 onTop(Index column, Index row) const
   {
     return deformation_.positions.row(corner(topFace(column, row), 0));

@@ -119,7 +119,7 @@ decltype(HandleConstraint::motion) randomMotion(Random& random)
   }
 }
 
-/// As many ids as there are entries, ascending or descending, all different.
+/// Returns `count` different ids, ascending or descending.
 VertexIds distinctVertices(Random& random, long count)
 {
   VertexIds vertices;

@@ -195,7 +195,7 @@ std::string binaryPly(const Positions& positions, Spelling spelling, Order order
   return bytes + raw(std::int32_t{0}, order) + raw(std::int32_t{1}, order);
 }
 
-/// As Stanford writes its scans: all strips in one row.
+/// Writes all strips in one row, as Stanford does in its scans.
 std::string binaryPlyStrips(const Positions& positions, Spelling spelling, Order order)
 {
   const bool isFloat = spelling == Spelling::AsRead;

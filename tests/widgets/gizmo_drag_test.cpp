@@ -207,7 +207,7 @@ TEST(GizmoDrag, StaysWhatItWasWhereTheCursorSaysNothing)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const DisplayTransform view = viewFrom({0.2, -1, 0.3}, Projection::Perspective);
-  // Where lines along y meet, and beyond: places behind the eye.
+  // Lines along y meet here; beyond are places behind the eye.
   const DisplayPoint vanishing = seen(view, 1e12 * Vector3::UnitY());
   for (const GizmoPart part : {GizmoPart::ArrowY, GizmoPart::SquareX, GizmoPart::SquareZ, GizmoPart::RingZ}) {
     GizmoDrag drag(part, {}, view, seen(view, {0, 0.2, 0}));

@@ -36,7 +36,7 @@ struct Seen {
     placement = placementOf(view, {}, kPixels);
   }
 
-  /// Where a place, given in radii of the outer ring, is on the display.
+  /// Returns the pixel of a place that is given in radii of the outer ring.
   [[nodiscard]] DisplayPoint at(double x, double y, double z) const
   {
     return *toDisplay(view, placement.scale * Vector3(x, y, z));

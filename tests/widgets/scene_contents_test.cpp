@@ -65,7 +65,7 @@ TEST(SceneContents, OfHiddenFacesNothingIsShown)
     return count;
   };
   const vtkIdType before = dots();
-  // Those at vertex 24, the last corner, and all beside them.
+  // This hides the triangles at vertex 24, the last corner, and all beside them.
   std::vector<char> isHidden;
   for (const Triangle& triangle : model.triangulation.triangles)
     isHidden.push_back(std::ranges::all_of(triangle, [](Index v) { return v >= 10; }) ? 1 : 0);

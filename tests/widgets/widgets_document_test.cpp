@@ -88,7 +88,7 @@ std::string sectionOf(const std::string& name, const std::string& page)
   return begin == std::string::npos ? std::string() : page.substr(begin, page.find("\n## ", begin + 1) - begin);
 }
 
-/// Those in the first column of the tables that say when they come and with what call data.
+/// Returns the events in the first column of the tables that say when they come and with what call data.
 std::set<std::string> eventsIn(const std::string& text)
 {
   const std::regex event(R"(\w+Event)");
@@ -102,7 +102,7 @@ std::set<std::string> eventsIn(const std::string& text)
   return names;
 }
 
-/// Those that a source invokes.
+/// Returns the events that a source invokes.
 std::set<std::string> eventsOf(const std::string& source)
 {
   const std::regex event(R"((?:InvokeEvent|Tell)\((?:vtkCommand::)?(\w+Event)\b)");

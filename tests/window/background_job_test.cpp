@@ -192,7 +192,7 @@ TEST_F(ProgressOfWindow, NeverComesOnceTheWorkHasEnded)
 {
   int seen = 0;
   QObject::connect(&job, &BackgroundJob::ended, [&] {
-    // As a message does, which waits in a loop of its own.
+    // A message waits so, in a loop of its own.
     test::passProgressDelay();
     seen += test::findDialog("progress") == nullptr ? 0 : 1;
   });

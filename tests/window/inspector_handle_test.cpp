@@ -40,7 +40,7 @@ class InspectorOfHandles : public test::InspectedSheet {
     editor.edit("another tip", list);
   }
 
-  /// Where the solver puts the surface now.
+  /// Returns where the solver puts the surface now.
   [[nodiscard]] Positions solved()
   {
     EXPECT_TRUE(test::waitForCurrent(editor));

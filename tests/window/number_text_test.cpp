@@ -10,7 +10,7 @@
 namespace holdfast {
 namespace {
 
-/// As it is seen: narrow spaces as "_".
+/// Returns the text with "_" in place of narrow spaces.
 std::string seen(QString text)
 {
   return text.replace(QChar(0x202f), '_').toStdString();

@@ -28,7 +28,7 @@
 namespace holdfast {
 namespace {
 
-/// Where the camera stands in all of them.
+/// Returns the view of the camera in all of them.
 test::PlainView seenBracket()
 {
   test::PlainView view;

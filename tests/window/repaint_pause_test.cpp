@@ -32,7 +32,7 @@ class RepaintPaused : public ::testing::Test {
     painted = counter.count;
   }
 
-  /// As many turns of the event loop as a repaint takes, and some more.
+  /// Runs as many turns of the event loop as a repaint takes, and some more.
   static void handleAll()
   {
     for (int k = 0; k < 5; ++k) {

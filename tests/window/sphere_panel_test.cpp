@@ -53,7 +53,7 @@ class SpherePanelOfPlate : public ::testing::Test {
     return *view().renderWindow()->GetRenderers()->GetFirstRenderer()->GetActiveCamera();
   }
 
-  /// Where a vertex is seen, in the coordinates of the view.
+  /// Returns where a vertex is seen, in the coordinates of the view.
   [[nodiscard]] QPointF placeOf(Index vertex) const
   {
     const double ratio = view().devicePixelRatioF();

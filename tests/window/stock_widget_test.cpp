@@ -34,7 +34,7 @@ class StockWidget : public test::WindowUser {
     sphere->SetDefaultRenderer(&viewport().widgetRenderer());
   }
 
-  // As a program does at `Viewport::closing`.
+  // A program does so at `Viewport::closing`.
   void TearDown() override { sphere->SetInteractor(nullptr); }
 
   void putSphere(Vector3 center, double pixels)

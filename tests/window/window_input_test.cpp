@@ -49,7 +49,8 @@ class InputInWindow : public test::WindowUser {
     if (editor().isOpen()) editor().markSaved(editor().history().state());
   }
 
-  /// As the display delivers a notch: to what is under the cursor, and on to what that lies in while nothing takes it.
+  /// Delivers notches as the display does: to what is under the cursor, and on to what that lies in while nothing takes
+  /// them.
   static void turnWheelOver(QWidget& widget, int notches)
   {
     const QPointF middle = QRectF(widget.rect()).center();

@@ -20,7 +20,7 @@ using test::moveBy;
 using test::moveTo;
 using test::systemOf;
 
-/// Where a handle takes the vertices of a mesh that consists of `points` and one face among them.
+/// Returns where a handle takes the vertices of a mesh that consists of `points` and one face among them.
 std::vector<Vector3> rotated(const std::vector<Vector3>& points, const AxisRotation& turn)
 {
   Mesh mesh{Positions(static_cast<Index>(points.size()), 3), {}};

@@ -47,7 +47,7 @@ Positions randomPoints(test::Random& random, Index count, const Vector3& middle)
   return points;
 }
 
-/// Where a motion takes points, far from anything fixed.
+/// Returns where a motion takes points, far from anything fixed.
 HandlePlacement placed(decltype(HandleConstraint::motion) motion, const Positions& rest,
                        const Vector3& translate = {0, 0, 0})
 {

@@ -64,7 +64,7 @@ void expectAsFresh(const DeformResult& edited, const Mesh& mesh, const Constrain
     EXPECT_EQ(edited.report.constraints[c].status, fresh.report.constraints[c].status) << c;
 }
 
-/// For what other threads are about to do.
+/// Waits for what other threads are about to do.
 class Patience {
  public:
   [[nodiscard]] bool isLeft() const { return std::chrono::steady_clock::now() - start_ < std::chrono::minutes(1); }

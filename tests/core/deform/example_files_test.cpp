@@ -59,7 +59,7 @@ Vector3 rowOf(const Columns3& columns, Index row)
 
 // The bar stands on z = 0, is held up to z = 5, turned from z = 95 on, and has vertices at every whole z.
 
-/// Where the free part of the bar is, from 0 at the held end to 1 at the turned one.
+/// Returns the place along the free part of the bar, from 0 at the held end to 1 at the turned one.
 double shareAt(int z)
 {
   return std::clamp((z - 5) / 90.0, 0.0, 1.0);

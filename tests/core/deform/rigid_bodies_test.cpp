@@ -219,7 +219,7 @@ TEST(RigidBodies, NameTheEarlierPointThatLiesTooFar)
 {
   const Mesh mesh = sheet();
   const PadMotion motion = tilt(40);
-  // As far from A as at rest, tilted about it: so it is B that it lies wrong to.
+  // It is as far from A as at rest, and tilted about A: so it is B that it lies wrong to.
   const PadMotion other{motion.R * rotationMatrix({0, 0, 1}, 20), motion.shift};
   const ConstraintList list =
       onSheet({called("pad", test::rigid(pad())), pinned(mesh, "A", 30, motion), pinned(mesh, "B", 33, motion),

@@ -42,7 +42,7 @@ class DragAboutFixed : public testing::Test {
     return {model, start, {&top, 1}, "list"};
   }
 
-  /// Where the handle is after `degrees` of the circle about the fixed end, which begins at the top.
+  /// Returns where the handle is after `degrees` of the circle about the fixed end, which begins at the top.
   [[nodiscard]] static Vector3 onCircle(double degrees)
   {
     if (std::remainder(degrees, 360) == 180) return {0, 0, -2 * kLength};  // exactly opposite

@@ -54,7 +54,7 @@ SessionFile fullSession()
   return session;
 }
 
-/// As constraints, which can be compared.
+/// Returns the annotations as constraints, which can be compared.
 ConstraintList listOf(const Annotations& annotations)
 {
   ConstraintList list;

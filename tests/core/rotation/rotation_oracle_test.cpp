@@ -111,7 +111,7 @@ DenseSolution denseField(const Eigen::MatrixXd& W, const std::vector<Index>& giv
 }
 
 /// A plate or a sphere, shaken, with holes torn into it: boundaries, several parts, vertices without faces. For guarded
-/// weights a sphere that is shaken so little that its triangles stay acute: no guard acts.
+/// weights it is a sphere that is shaken so little that its triangles stay acute: no guard acts.
 Mesh randomMesh(Random& random, Weights weights)
 {
   const bool isGuarded = weights == Weights::Cotangent;
