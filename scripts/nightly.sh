@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Runs once a night what takes too long for every change: the tests of label `nightly` (meshes that are no part of the project,
-# the tour of the window, the core alone with all its tests), the experiments of docs/paper.md, what other versions of
-# VTK, Qt and Mesa may do differently on both Debians, each source compiled alone and read by clang-tidy, the window and
-# the workers under sanitizers, the batch program under valgrind, and the benchmarks. It installs what is missing
-# first (apt). It goes on after a failure, says at the end which parts failed and how long each took, and ends with 1 if
-# any did.
+# Runs once a night what takes too long for every change: the tests of label `nightly` (meshes that are no part of the
+# project, the tour of the window, the core alone with all its tests), the experiments of docs/paper.md, what other
+# versions of VTK, Qt and Mesa may do differently on both Debians, each source compiled alone and read by clang-tidy,
+# the window and the workers under sanitizers, the batch program under valgrind, and the benchmarks. It installs what is
+# missing first (apt). It goes on after a failure, says at the end which parts failed and how long each took, and ends
+# with 1 if any did.
 # docs/testing.md says more.
 #   scripts/nightly.sh [PART...]      PART: tests, paper, bookworm, trixie, sources, lint, window, threads,
 #                                     threads-window, valgrind, benchmarks; all if left out
