@@ -13,11 +13,6 @@
 
 namespace holdfast {
 
-/// Runs `work` on a thread of its own. `work` must not throw. The thread may outlive its owner inside a factorisation.
-/// The program waits for it at its end, so that none runs while its memory is torn down. The next call joins threads
-/// that have ended. So a window that opens one mesh after another does not collect their stacks.
-void startBackgroundThread(std::function<void()> work);
-
 /// Work throws this when its result is no longer wanted.
 class LeftBehind : public std::exception {};
 

@@ -4,8 +4,8 @@
 #include <condition_variable>
 #include <mutex>
 
+#include <holdfast/base/background_threads.h>
 #include <holdfast/base/error.h>
-#include <holdfast/base/long_step.h>
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/deform/deformer.h>
 

@@ -29,18 +29,16 @@ void PostedCalls::customEvent(QEvent* /*event*/)
 
 BackgroundJob::~BackgroundJob()
 {
-  // Calls that the threads have posted meanwhile are dropped with this object.
-  for (const auto& run : runs_) run->thread.request_stop();
-  runs_.clear();
+  // Earlier runs were asked for their end when the next one began. Calls that threads post meanwhile are dropped.
+  stop_.request_stop();
 }
 
 void BackgroundJob::start(Work work)
 {
   cancel();
-  std::erase_if(runs_, [](const auto& run) { return run->hasEnded.load(); });
   const std::uint64_t id = current_ = ++latest_;
-  Run& run = *runs_.emplace_back(std::make_unique<Run>());
-  run.thread = std::jthread([this, id, &run, work = std::move(work)](const std::stop_token& stop) {
+  stop_ = std::stop_source();
+  threads_.start([this, id, stop = stop_.get_token(), work = std::move(work)] {
     computeInBackground();
     StoppableProgress progress([&] { return stop.stop_requested(); },
                                [&](std::string_view step) {
@@ -63,7 +61,6 @@ void BackgroundJob::start(Work work)
       calls_.post([this, id, error = std::move(error)] {
         if (end(id)) Q_EMIT failed(error);
       });
-    run.hasEnded = true;
   });
   Q_EMIT started();
 }
@@ -71,14 +68,14 @@ void BackgroundJob::start(Work work)
 void BackgroundJob::cancel()
 {
   if (!isRunning()) return;
-  runs_.back()->thread.request_stop();
+  stop_.request_stop();
   end(current_);
 }
 
 void BackgroundJob::wait()
 {
   if (!isRunning()) return;
-  runs_.back()->thread.join();
+  threads_.waitForNewest();
   QCoreApplication::sendPostedEvents(&calls_, QEvent::User);
 }
 

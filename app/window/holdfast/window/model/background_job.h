@@ -4,16 +4,14 @@
 
 #include <QObject>
 #include <QString>
-#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <exception>
 #include <functional>
-#include <memory>
 #include <mutex>
-#include <thread>
-#include <vector>
+#include <stop_token>
 
+#include <holdfast/base/background_threads.h>
 #include <holdfast/base/progress.h>
 
 namespace holdfast {
@@ -67,18 +65,14 @@ class BackgroundJob : public QObject {
   void failed(const std::exception_ptr& error);  ///< after `ended`
 
  private:
-  struct Run {
-    std::atomic<bool> hasEnded = false;
-    std::jthread thread;  // its destructor asks for the end and waits
-  };
-
   /// Tells whether that run is the one that counts. If so, it does not count any more, and `ended` is emitted.
   bool end(std::uint64_t run);
 
   PostedCalls calls_;          // by the threads; outlives them
   std::uint64_t current_ = 0;  // the run that counts; 0 for none
   std::uint64_t latest_ = 0;
-  std::vector<std::unique_ptr<Run>> runs_;  // those that may still have a thread
+  std::stop_source stop_;  // of the newest run
+  BackgroundThreads threads_;
 };
 
 }  // namespace holdfast

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/long_step.h>
+#include <holdfast/base/background_threads.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/mesh/coarse_surface.h>
 
