@@ -16,8 +16,8 @@ namespace {
 void dragArrow(TourWindow& tour)
 {
   Viewport& viewport = tour.viewport();
-  const QPointF from = tour.shownArrow(1);
-  const QPointF to = from + 1.2 * (tour.shownArrow(1) - tour.shown(tour.window().gizmo().gizmo().GetFrame().center));
+  const QPointF from = tour.onArrow(1);
+  const QPointF to = from + 1.2 * (tour.onArrow(1) - tour.shownAt(tour.window.gizmo().gizmo().GetFrame().center));
   test::moveMouse(viewport, from);
   test::pressMouse(viewport, from);
   for (int step = 1; step <= 10; ++step) {
@@ -33,7 +33,7 @@ void dragArrow(TourWindow& tour)
 void typeAlongArrow(TourWindow& tour)
 {
   Viewport& viewport = tour.viewport();
-  test::moveMouse(viewport, tour.shownArrow(1));
+  test::moveMouse(viewport, tour.onArrow(1));
   test::type(viewport, "-12.5");
   tour.picture("length_typed_over_an_arrow");
   test::pressKey(viewport, Qt::Key_Return);

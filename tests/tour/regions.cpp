@@ -27,7 +27,7 @@ void drawAroundEye(TourWindow& tour)
 void paint(TourWindow& tour)
 {
   tour.trigger("toolBrush");
-  const QPointF brow = tour.shown({-33, -76, 60});
+  const QPointF brow = tour.shownAt({-33, -76, 60});
   Viewport& viewport = tour.viewport();
   test::moveMouse(viewport, brow);
   test::pressMouse(viewport, brow);
@@ -67,9 +67,9 @@ void regions(TourWindow& tour)
   tour.trigger("viewFront");
   drawAroundEye(tour);
   paint(tour);
-  const QPointF eye = tour.shown(kEye);
+  const QPointF eye = tour.shownAt(kEye);
   outline(tour, "toolRectangle", {eye - QPointF(60, 40), eye, eye + QPointF(40, 50)}, "rectangle");
-  outline(tour, "toolLasso", circle(tour.shown({0, -104, 0}), 70), "lasso");
+  outline(tour, "toolLasso", circle(tour.shownAt({0, -104, 0}), 70), "lasso");
 
   tour.open("bracket.obj");
   tour.trigger("toolFlood");

@@ -5,19 +5,14 @@
 // Ends with 1 and says where a step failed.
 
 #include <QApplication>
-#include <QStandardPaths>
-#include <QSurfaceFormat>
-#include <QTemporaryDir>
 #include <algorithm>
 #include <array>
-#include <clocale>
 #include <cstdio>
 #include <string_view>
 #include <vector>
 
-#include <QVTKOpenGLNativeWidget.h>
-
 #include "chapters.h"
+#include "window/isolated_application.h"
 
 namespace holdfast::tour {
 namespace {
@@ -69,19 +64,11 @@ int run(int argc, char** argv)
   if (argc < 2) return usage();
   const auto chapters = chaptersNamed({argv + 2, argv + argc});
   if (chapters.empty()) return usage();
-  // Settings and copies of unsaved work are not the user's.
-  const QTemporaryDir home;
-  qputenv("XDG_STATE_HOME", home.filePath("state").toUtf8());
-  qputenv("XDG_CONFIG_HOME", home.filePath("config").toUtf8());
-  QStandardPaths::setTestModeEnabled(true);
-  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
 #endif
-  QApplication application(argc, argv);
-  QApplication::setApplicationName("holdfast-tour");
-  std::setlocale(LC_NUMERIC, "C");
+  const test::IsolatedApplication application(argc, argv, "holdfast-tour");
   std::string_view now = "the beginning";
   try {
     TourWindow tour(argv[1], argc > 2 ? picturesIn(argv[1]) : 0);

@@ -8,16 +8,12 @@
 #include <QLineEdit>
 #include <QTimer>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <vtkRenderer.h>
 
-#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/tools/gizmo_tool.h>
 
 #include "support/source_tree.h"
@@ -59,13 +55,12 @@ int picturesIn(const fs::path& folder)
 TourWindow::TourWindow(fs::path folder, int picturesBefore) : folder_(std::move(folder)), count_(picturesBefore)
 {
   fs::create_directories(folder_);
-  window_.resize(1280, 800);
-  require(test::showAndWait(window_), "the window comes up");
+  show(1280, 800);
 }
 
 void TourWindow::picture(const std::string& name)
 {
-  pictureOf(window_, name);
+  pictureOf(window, name);
 }
 
 void TourWindow::pictureOf(QWidget& widget, const std::string& name)
@@ -79,42 +74,33 @@ void TourWindow::pictureOf(QWidget& widget, const std::string& name)
 void TourWindow::settle()
 {
   handleEvents();
-  require(test::waitUntil([&] {
-            return !editor().isOpen() ||
-                   (editor().solveState() != SolveState::Solving && !viewport().isRenderPending());
-          }),
-          "the document is solved and drawn");
+  require(!editor().isOpen() || DrivenWindow::settle(), "the document is solved and drawn");
   handleEvents();
 }
 
 void TourWindow::open(const std::string& mesh, const std::string& constraints)
 {
-  NoProgress quiet;
-  DocumentState state;
-  if (!constraints.empty()) state.list = readConstraints(test::dataFolder() + "/" + constraints);
-  editor().open(loadMesh(test::dataFolder() + "/" + mesh, quiet), std::move(state));
+  DrivenWindow::open(mesh, constraints);
   settle();
 }
 
 void TourWindow::openSession(const std::string& session)
 {
-  window_.files().open(QString::fromStdString(test::dataFolder() + "/" + session));
-  require(test::waitUntil([&] { return !window_.files().isOpening() && editor().isOpen(); }), session + " is opened");
+  window.files().open(QString::fromStdString(test::dataFolder() + "/" + session));
+  require(test::waitUntil([&] { return !window.files().isOpening() && editor().isOpen(); }), session + " is opened");
   settle();
 }
 
 void TourWindow::resize(int width, int height)
 {
-  window_.resize(width, height);
-  require(test::waitUntil([&] { return window_.size() == QSize(width, height); }), "the window has its size");
+  window.resize(width, height);
+  require(test::waitUntil([&] { return window.size() == QSize(width, height); }), "the window has its size");
   settle();
 }
 
 void TourWindow::trigger(const char* name)
 {
-  auto& action = find<QAction>(name);
-  require(action.isEnabled(), std::string("enabled: ") + name);
-  action.trigger();
+  DrivenWindow::trigger(name);
   settle();
 }
 
@@ -147,7 +133,7 @@ void TourWindow::raise(const char* dock)
   auto& panel = find<QDockWidget>(dock);
   panel.raise();
   // Those behind others in their stack stand outside the window.
-  require(test::waitUntil([&] { return panel.isVisible() && window_.rect().intersects(panel.geometry()); }),
+  require(test::waitUntil([&] { return panel.isVisible() && window.rect().intersects(panel.geometry()); }),
           std::string("in front: ") + dock);
   settle();
 }
@@ -193,38 +179,22 @@ void TourWindow::select(const std::string& constraint)
   settle();
 }
 
-QPointF TourWindow::shown(const Vector3& place)
-{
-  return viewport().toPlace(toDisplay(viewport().renderer(), place).head<2>());
-}
-
 QPointF TourWindow::shownVertex(Index vertex)
 {
-  return shown(editor().positions().row(vertex).transpose());
+  return shownAt(editor().positions().row(vertex).transpose());
 }
 
 QPointF TourWindow::shownMark(const std::string& constraint)
 {
   for (const ConstraintMark& mark : viewport().marks())
-    if (editor().list().constraints[mark.constraint].name == constraint) return shown(mark.place);
+    if (editor().list().constraints[mark.constraint].name == constraint) return shownAt(mark.place);
   throw std::runtime_error("there is a mark of " + constraint);
 }
 
-QPointF TourWindow::shownArrow(int axis)
+QPointF TourWindow::onArrow(int axis)
 {
-  const GizmoRepresentation& gizmo = window_.gizmo().gizmo();
-  require(window_.gizmo().widget().GetEnabled() != 0, "the gizmo stands");
-  const Vector3 center = gizmo.GetFrame().center;
-  const Vector3 along = gizmo.GetFrame().axes.col(axis);
-  const QPointF step = shown(center + along) - shown(center);
-  return shown(center + along * (0.5 * kGizmoPixels / std::hypot(step.x(), step.y())));
-}
-
-Index TourWindow::nearestVertex(const Vector3& place)
-{
-  Index nearest = 0;
-  (editor().positions().rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-  return nearest;
+  require(window.gizmo().widget().GetEnabled() != 0, "the gizmo stands");
+  return DrivenWindow::onArrow(axis);
 }
 
 }  // namespace holdfast::tour

@@ -2,15 +2,13 @@
 /// \file
 /// The window on its stage: what a user does in it, waiting for what comes of it, and pictures.
 
-#include <QAction>
 #include <QPointF>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include <holdfast/window/viewport/viewport.h>
-#include <holdfast/window/window/main_window.h>
+#include "window/driven_window.h"
 
 class QAbstractItemView;
 
@@ -23,29 +21,15 @@ void require(bool holds, const std::string& what);
 [[nodiscard]] int picturesIn(const std::filesystem::path& folder);
 
 /// Every function ends when what it does is done and drawn, and fails the tour where that does not come.
-class TourWindow {
+class TourWindow : public test::DrivenWindow {
  public:
   /// Makes the folder, and counts pictures from the one after `picturesBefore`.
   TourWindow(std::filesystem::path folder, int picturesBefore);
-
-  [[nodiscard]] MainWindow& window() { return window_; }
-  [[nodiscard]] Viewport& viewport() { return window_.viewport(); }
-  [[nodiscard]] Editor& editor() { return window_.editor(); }
-
-  /// The only child of that name.
-  template <class Widget>
-  [[nodiscard]] Widget& find(const char* name)
-  {
-    auto* widget = window_.findChild<Widget*>(name);
-    require(widget != nullptr, std::string("there is one called ") + name);
-    return *widget;
-  }
 
   /// Written as 07_NAME.png, and its path to the standard output.
   void picture(const std::string& name);
   void pictureOf(QWidget& widget, const std::string& name);
 
-  /// A mesh and constraints of data/, none where empty; edits of the document before are lost.
   void open(const std::string& mesh, const std::string& constraints = "");
   /// A session of data/, as File > Open does it.
   void openSession(const std::string& session);
@@ -67,17 +51,13 @@ class TourWindow {
   void select(const std::string& constraint);
 
   /// In the viewport's coordinates.
-  [[nodiscard]] QPointF shown(const Vector3& place);
   [[nodiscard]] QPointF shownVertex(Index vertex);
   [[nodiscard]] QPointF shownMark(const std::string& constraint);
-  /// On the shaft of an arrow of the gizmo.
-  [[nodiscard]] QPointF shownArrow(int axis);
-  [[nodiscard]] Index nearestVertex(const Vector3& place);
+  [[nodiscard]] QPointF onArrow(int axis);
 
  private:
   std::filesystem::path folder_;
   int count_;
-  MainWindow window_;
 };
 
 }  // namespace holdfast::tour

@@ -6,7 +6,6 @@
 #include <QComboBox>
 #include <QMessageBox>
 #include <QPointF>
-#include <stdexcept>
 #include <string>
 
 #include <holdfast/window/table/constraint_table.h>
@@ -26,14 +25,6 @@ class WindowUser : public OpenWindow {
   /// The words of the tab of a panel; empty where it has none.
   [[nodiscard]] QString tabOf(const char* title);
 
-  /// A widget of the window, by its object name.
-  template <class Widget>
-  [[nodiscard]] Widget& find(const char* name)
-  {
-    auto* found = window.findChild<Widget*>(name);
-    if (found == nullptr) throw std::runtime_error(std::string("no widget is called ") + name);
-    return *found;
-  }
   void clickOn(QWidget& widget) { click(widget, QPointF(widget.rect().center())); }
 
   [[nodiscard]] ConstraintTable& table() { return find<ConstraintTable>("constraintTable"); }

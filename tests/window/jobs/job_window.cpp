@@ -120,13 +120,6 @@ Vector3 JobWindow::nowOf(Index vertex)
   return editor().positions().row(vertex).transpose();
 }
 
-Index JobWindow::nearestVertex(const Vector3& place)
-{
-  Index nearest = 0;
-  (editor().positions().rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-  return nearest;
-}
-
 const std::vector<Index>& JobWindow::verticesOf(Index constraint)
 {
   const auto* fixed = std::get_if<FixedConstraint>(&list().constraints[constraint].what);

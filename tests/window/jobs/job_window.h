@@ -31,8 +31,6 @@ class JobWindow : public WindowUser {
 
   [[nodiscard]] Vector3 restOf(Index vertex);
   [[nodiscard]] Vector3 nowOf(Index vertex);
-  /// The vertex that is nearest to a place now.
-  [[nodiscard]] Index nearestVertex(const Vector3& place);
   [[nodiscard]] const std::vector<Index>& verticesOf(Index constraint);
 
   /// All enabled constraints are met, within the limit that the report promises.
