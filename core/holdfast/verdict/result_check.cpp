@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include <holdfast/geometry/rotation_log.h>
-
 namespace holdfast {
 namespace {
 
@@ -71,9 +69,7 @@ void takeOver(const Findings& findings, ResultVerdict& verdict)
 std::vector<TargetMotion> targetMotionsOf(const std::vector<WholeMotion>& motions)
 {
   std::vector<TargetMotion> result;
-  for (const WholeMotion& motion : motions)
-    result.push_back({holdfast::angleDegrees(motion.q), motion.q.stableNormalized(), motion.scale, motion.shift,
-                      motion.moved, motion.left});
+  for (const WholeMotion& whole : motions) result.push_back(whole.motion);
   return result;
 }
 

@@ -39,38 +39,39 @@ bool isHeldElsewhere(const ConstraintSystem& system, const SolverMesh& mesh, int
   });
 }
 
-void addTurned(Findings& findings, const WholeMotion& motion)
+void addTurned(Findings& findings, const WholeMotion& whole)
 {
-  const double degrees = holdfast::angleDegrees(motion.q);
+  const double degrees = whole.motion.degrees;
   if (2 * std::sin(degrees / 2 * kDegree) <= kVisibleDetail) return;
-  const Vector3 axis = motion.q.normalized();
+  const Vector3& axis = whole.motion.axis;
   addAbout(
-      findings, "turned_targets", "constraint", motion.constraints, {"point goes", "points go"},
+      findings, "turned_targets", "constraint", whole.constraints, {"point goes", "points go"},
       fmt::format(" where a rotation by {:.3g} degrees about ({:.3g}, {:.3g}, {:.3g}) takes them, and no rotation is "
                   "given: detail keeps its directions; let rotations be found, or turn the mesh first if "
                   "the targets were measured in other coordinates",
                   degrees, axis.x(), axis.y(), axis.z()));
 }
 
-void addScaled(Findings& findings, const WholeMotion& motion)
+void addScaled(Findings& findings, const WholeMotion& whole)
 {
-  if (std::abs(motion.scale - 1) <= kVisibleDetail) return;
-  addAbout(findings, "scaled_targets", "constraint", motion.constraints, {"point goes", "points go"},
+  const double scale = whole.motion.scale;
+  if (std::abs(scale - 1) <= kVisibleDetail) return;
+  addAbout(findings, "scaled_targets", "constraint", whole.constraints, {"point goes", "points go"},
            fmt::format(
                " where a scaling by {:.4g} takes them: detail keeps its size; scale the mesh or the targets first if "
                "their units differ",
-               motion.scale));
+               scale));
 }
 
-void addShifted(Findings& findings, const WholeMotion& motion, double diagonal)
+void addShifted(Findings& findings, const WholeMotion& whole, double diagonal)
 {
-  const double length = motion.shift.norm();
-  if (length <= kFarShift * diagonal) return;
+  const Vector3& shift = whole.motion.shift;
+  if (shift.norm() <= kFarShift * diagonal) return;
   addAbout(
-      findings, "shifted_targets", "constraint", motion.constraints, {"point is", "points are"},
+      findings, "shifted_targets", "constraint", whole.constraints, {"point is", "points are"},
       fmt::format(" shifted by ({:.4g}, {:.4g}, {:.4g}) as a whole, while other constraints hold the same part; align "
                   "the targets with the mesh first if they were measured in other coordinates",
-                  motion.shift.x(), motion.shift.y(), motion.shift.z()));
+                  shift.x(), shift.y(), shift.z()));
 }
 
 }  // namespace
@@ -141,14 +142,13 @@ void addCrossing(Findings& findings, const SolverMesh& mesh, const CrossingTrian
 void addTargetFindings(Findings& findings, const SolverMesh& mesh, const ConstraintSystem& system,
                        RotationSource rotations)
 {
-  for (const WholeMotion& motion : wholeMotions(system, mesh)) {
-    const bool isSeen = motion.moved > kVisible * mesh.diagonal;
-    if (isSeen && !motion.explainsTargets()) continue;
-    if (isHeldElsewhere(system, mesh, motion.part)) addShifted(findings, motion, mesh.diagonal);
+  for (const WholeMotion& whole : wholeMotions(system, mesh)) {
+    const bool isSeen = whole.motion.moved > kVisible * mesh.diagonal;
+    if (isSeen && !whole.explainsTargets()) continue;
+    if (isHeldElsewhere(system, mesh, whole.part)) addShifted(findings, whole, mesh.diagonal);
     if (!isSeen) continue;
-    if (rotations == RotationSource::Given && !hasStatedRotation(system, mesh, motion.part))
-      addTurned(findings, motion);
-    addScaled(findings, motion);
+    if (rotations == RotationSource::Given && !hasStatedRotation(system, mesh, whole.part)) addTurned(findings, whole);
+    addScaled(findings, whole);
   }
   addAbout(
       findings, "swapped_targets", "constraint", swappedTargets(system, mesh), {"constraint asks", "constraints ask"},

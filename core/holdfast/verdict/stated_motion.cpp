@@ -58,9 +58,12 @@ std::optional<WholeMotion> motionOf(const ConstraintSystem& system, const RowLis
   }
   const RotationFit fit = fitRotation(points, targets);
   if (!fit.isDetermined) return std::nullopt;
-  WholeMotion motion;
-  motion.part = part;
-  motion.q = rotationLog(fit.R);
+  WholeMotion whole;
+  whole.part = part;
+  TargetMotion& motion = whole.motion;
+  const Vector3 q = rotationLog(fit.R);
+  motion.degrees = angleDegrees(q);
+  motion.axis = q.stableNormalized();
   Vector3 from;
   Vector3 to;
   points = aboutMean(points, from);
@@ -70,9 +73,9 @@ std::optional<WholeMotion> motionOf(const ConstraintSystem& system, const RowLis
   motion.shift = to - from;
   motion.moved = rootMeanSquare(targets - points);
   motion.left = rootMeanSquare(targets - motion.scale * rotatedPoints);
-  for (const Index row : rows) motion.constraints.push_back(system.rows[row].constraint);
-  motion.constraints = sortedOnce(std::move(motion.constraints));
-  return motion;
+  for (const Index row : rows) whole.constraints.push_back(system.rows[row].constraint);
+  whole.constraints = sortedOnce(std::move(whole.constraints));
+  return whole;
 }
 
 /// The point of `places` other than `own` that is nearest to `place`, by a tree of triangles that are points.
@@ -197,7 +200,7 @@ std::vector<Index> surroundingsOf(const DeformedSurface& surface, const std::vec
 
 bool WholeMotion::explainsTargets() const
 {
-  return left <= kLargestShareLeft * moved;
+  return motion.left <= kLargestShareLeft * motion.moved;
 }
 
 std::vector<WholeMotion> wholeMotions(const ConstraintSystem& system, const SolverMesh& mesh)

@@ -2,10 +2,10 @@
 /// A stated motion is what targets say together. They may be the points turned, shifted or scaled as a whole. Two of
 /// them may have been swapped. A region may have to stay level where the surface around it tilts.
 
-#include <optional>
 #include <vector>
 
 #include <holdfast/constraints/constraint_system.h>
+#include <holdfast/verdict/result_verdict.h>
 #include <holdfast/verdict/shape_change.h>
 
 namespace holdfast {
@@ -13,12 +13,8 @@ namespace holdfast {
 /// The motion that takes points of one part to their targets as nearly as a rotation, a factor and a shift can.
 struct WholeMotion {
   int part = 0;
-  Vector3 q = Vector3::Zero();      ///< log of the rotation
-  double scale = 1;                 ///< about the mean of the points
-  Vector3 shift = Vector3::Zero();  ///< of the mean of the points, model units
-  double moved = 0;                 ///< how far targets lie from points without the mean shift, root mean square
-  double left = 0;                  ///< how far they lie from the points so moved, root mean square
-  std::vector<Index> constraints;   ///< places in the list, ascending
+  TargetMotion motion;
+  std::vector<Index> constraints;  ///< places in the list, ascending
 
   /// Tells whether this motion is what targets say, and what is left is a deformation.
   [[nodiscard]] bool explainsTargets() const;
