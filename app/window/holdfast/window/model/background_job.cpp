@@ -62,7 +62,6 @@ void BackgroundJob::start(Work work)
         if (end(id)) Q_EMIT failed(error);
       });
   });
-  Q_EMIT started();
 }
 
 void BackgroundJob::cancel()

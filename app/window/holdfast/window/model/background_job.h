@@ -59,7 +59,6 @@ class BackgroundJob : public QObject {
   [[nodiscard]] bool isRunning() const noexcept { return current_ != 0; }
 
  Q_SIGNALS:
-  void started();
   void stepChanged(const QString& step);
   void ended();                                  ///< in whichever way, before `Finish` is called
   void failed(const std::exception_ptr& error);  ///< after `ended`
