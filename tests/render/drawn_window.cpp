@@ -35,6 +35,13 @@ std::vector<std::string> textsIn(vtkRenderWindow& window)
   return texts;
 }
 
+std::vector<unsigned char> pixelsOf(vtkRenderWindow& window, DrawnBuffer buffer)
+{
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window.GetPixelData(0, 0, window.GetSize()[0] - 1, window.GetSize()[1] - 1, static_cast<int>(buffer), pixels);
+  return {pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues()};
+}
+
 OffscreenWindow::OffscreenWindow(const PictureSize& size) : size_(size)
 {
   window_->SetOffScreenRendering(1);
@@ -47,10 +54,7 @@ OffscreenWindow::OffscreenWindow(const PictureSize& size) : size_(size)
 Picture OffscreenWindow::drawn() const
 {
   window_->Render();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  constexpr int kBackBuffer = 0;
-  window_->GetPixelData(0, 0, size_.width - 1, size_.height - 1, kBackBuffer, pixels);
-  return {size_, {pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues()}};
+  return {size_, pixelsOf(*window_, DrawnBuffer::Back)};
 }
 
 }  // namespace holdfast::test

@@ -19,6 +19,12 @@ void hideTexts(vtkRenderWindow& window);
 /// What VTK writes in a window, in the order of the actors.
 [[nodiscard]] std::vector<std::string> textsIn(vtkRenderWindow& window);
 
+/// VTK draws into the one, and a window shows the other.
+enum class DrawnBuffer { Back = 0, Front = 1 };
+
+/// All pixels of a buffer as they are: RGB, rows from the bottom.
+[[nodiscard]] std::vector<unsigned char> pixelsOf(vtkRenderWindow& window, DrawnBuffer buffer);
+
 /// A window with one renderer, drawn offscreen. One pixel of the window is one of the picture.
 class OffscreenWindow {
  public:

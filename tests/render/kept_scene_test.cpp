@@ -14,11 +14,11 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <holdfast/widgets/scene/lighting.h>
 #include <holdfast/widgets/scene/scene_contents.h>
 
+#include "render/drawn_window.h"
 #include "support/meshes.h"
 
 namespace holdfast {
@@ -31,11 +31,7 @@ class KeptBox : public ::testing::Test {
 
   KeptBox()
   {
-    window->SetOffScreenRendering(1);
-    window->SetMultiSamples(0);
     window->SetNumberOfLayers(2);
-    window->SetSize(320, 240);
-    window->AddRenderer(scene);
     window->AddRenderer(above);
     addLights(*scene);
     contents.addTo(*scene);
@@ -53,12 +49,7 @@ class KeptBox : public ::testing::Test {
     kept.emplace(*scene, *scene);
   }
 
-  [[nodiscard]] Colors shown()
-  {
-    vtkNew<vtkUnsignedCharArray> pixels;
-    window->GetPixelData(0, 0, window->GetSize()[0] - 1, window->GetSize()[1] - 1, 1, pixels);
-    return {pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues()};
-  }
+  [[nodiscard]] Colors shown() { return test::pixelsOf(*window, test::DrawnBuffer::Front); }
 
   [[nodiscard]] Colors drawnWhole()
   {
@@ -81,8 +72,9 @@ class KeptBox : public ::testing::Test {
 
   const Model model = makeModel(test::box({1, 1, 1}, 4), "box");
   SceneContents contents{model};
-  vtkNew<vtkRenderWindow> window;
-  vtkNew<vtkRenderer> scene;
+  const test::OffscreenWindow offscreen{{320, 240}};
+  vtkRenderWindow* const window = &offscreen.window();
+  vtkRenderer* const scene = &offscreen.renderer();
   vtkNew<vtkRenderer> above;
   vtkNew<vtkSphereSource> ball;
   vtkNew<vtkActor> actor;

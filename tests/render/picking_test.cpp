@@ -1,4 +1,5 @@
 #include <memory>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <vtkActor.h>
@@ -8,7 +9,6 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -16,6 +16,7 @@
 #include <holdfast/widgets/mesh/poly_data.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 
+#include "render/drawn_window.h"
 #include "support/law_meshes.h"
 #include "support/meshes.h"
 
@@ -30,10 +31,6 @@ class FacesDrawn {
  public:
   FacesDrawn(const Model& model, int parallelProjection)
   {
-    window_->SetOffScreenRendering(1);
-    window_->SetMultiSamples(0);
-    window_->SetSize(kWidth, kHeight);
-    window_->AddRenderer(renderer_);
     const vtkSmartPointer<vtkPolyData> data = toPolyData(model.mesh, model.mesh.positions);
     vtkNew<vtkUnsignedCharArray> colors;
     colors->SetNumberOfComponents(3);
@@ -45,28 +42,26 @@ class FacesDrawn {
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     actor->GetProperty()->LightingOff();
-    renderer_->AddActor(actor);
-    vtkCamera& camera = *renderer_->GetActiveCamera();
+    renderer().AddActor(actor);
+    vtkCamera& camera = *renderer().GetActiveCamera();
     camera.SetParallelProjection(parallelProjection);
     fit(camera, defaultFrame(model.mesh.positions), model.mesh.positions, double{kWidth} / kHeight);
-    renderer_->ResetCameraClippingRange();
-    window_->Render();
-    window_->GetPixelData(0, 0, kWidth - 1, kHeight - 1, 0, pixels_);
+    renderer().ResetCameraClippingRange();
+    pixels_ = window_.drawn().pixels;
   }
 
-  [[nodiscard]] vtkRenderer& renderer() const { return *renderer_; }
+  [[nodiscard]] vtkRenderer& renderer() const { return window_.renderer(); }
 
   /// -1 for the background.
   [[nodiscard]] Index faceAt(int x, int y) const
   {
-    const double* const color = pixels_->GetTuple3(vtkIdType{y} * kWidth + x);
-    return static_cast<Index>(color[0]) * 256 + static_cast<Index>(color[1]) - 1;
+    const std::size_t first = 3 * (static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x));
+    return Index{pixels_[first]} * 256 + Index{pixels_[first + 1]} - 1;
   }
 
  private:
-  vtkNew<vtkRenderWindow> window_;
-  vtkNew<vtkRenderer> renderer_;
-  vtkNew<vtkUnsignedCharArray> pixels_;
+  test::OffscreenWindow window_{{kWidth, kHeight}};
+  std::vector<unsigned char> pixels_;
 };
 
 struct Count {

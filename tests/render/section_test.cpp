@@ -7,12 +7,12 @@
 #include <vtkPoints.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/scene/lighting.h>
 #include <holdfast/widgets/scene/sliced_drawing.h>
 
+#include "render/drawn_window.h"
 #include "support/law_meshes.h"
 #include "support/meshes.h"
 
@@ -27,10 +27,6 @@ class CutScene {
  public:
   explicit CutScene(Mesh mesh) : model_(makeModel(std::move(mesh), "mesh"))
   {
-    window_->SetOffScreenRendering(1);
-    window_->SetMultiSamples(0);
-    window_->SetSize(kCutWidth, kCutHeight);
-    window_->AddRenderer(renderer_);
     addBackground(*renderer_);
     addLights(*renderer_);
     background_ = shown();
@@ -78,7 +74,7 @@ class CutScene {
   /// A picture, as rows of pixels of three colours.
   [[nodiscard]] std::vector<unsigned char> shown()
   {
-    window_->Render();
+    window_.window().Render();
     return pixels();
   }
 
@@ -97,15 +93,12 @@ class CutScene {
  private:
   [[nodiscard]] std::vector<unsigned char> pixels()
   {
-    vtkNew<vtkUnsignedCharArray> pixels;
-    constexpr int kFrontBuffer = 1;
-    window_->GetPixelData(0, 0, kCutWidth - 1, kCutHeight - 1, kFrontBuffer, pixels);
-    return {pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues()};
+    return test::pixelsOf(window_.window(), test::DrawnBuffer::Front);
   }
 
   Model model_;
-  vtkNew<vtkRenderWindow> window_;
-  vtkNew<vtkRenderer> renderer_;
+  test::OffscreenWindow window_{{kCutWidth, kCutHeight}};
+  vtkRenderer* const renderer_ = &window_.renderer();
   std::vector<unsigned char> background_;
   std::optional<SlicedDrawing> slices_;
 

@@ -5,12 +5,12 @@
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <holdfast/widgets/scene/kept_scene.h>
 #include <holdfast/widgets/scene/lighting.h>
 #include <holdfast/widgets/scene/sliced_drawing.h>
 
+#include "render/drawn_window.h"
 #include "support/meshes.h"
 
 namespace holdfast {
@@ -23,11 +23,7 @@ class SlicedPlate : public ::testing::Test {
  protected:
   SlicedPlate()
   {
-    window->SetOffScreenRendering(1);
-    window->SetMultiSamples(0);
     window->SetNumberOfLayers(2);
-    window->SetSize(320, 240);
-    window->AddRenderer(scene);
     window->AddRenderer(front);
     front->SetLayer(1);
     addBackground(*scene);
@@ -64,18 +60,13 @@ class SlicedPlate : public ::testing::Test {
     return shown();
   }
 
-  [[nodiscard]] Pixels shown()
-  {
-    vtkNew<vtkUnsignedCharArray> pixels;
-    constexpr int kFront = 1;
-    window->GetPixelData(0, 0, 319, 239, kFront, pixels);
-    return {pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues()};
-  }
+  [[nodiscard]] Pixels shown() { return test::pixelsOf(*window, test::DrawnBuffer::Front); }
 
   const Model model = makeModel(test::grid(260, 260), "plate");
   SceneContents contents{model};
-  vtkNew<vtkRenderWindow> window;
-  vtkNew<vtkRenderer> scene;
+  const test::OffscreenWindow offscreen{{320, 240}};
+  vtkRenderWindow* const window = &offscreen.window();
+  vtkRenderer* const scene = &offscreen.renderer();
   vtkNew<vtkRenderer> front;
   std::optional<SlicedDrawing> slices;
 };
