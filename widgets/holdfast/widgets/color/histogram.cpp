@@ -31,7 +31,6 @@ void count(Histogram& histogram, std::span<const double> values)
       ++histogram.counts[*bin];
       ++histogram.valueCount;
     }
-  histogram.withoutValueCount = static_cast<Index>(values.size()) - histogram.valueCount;
 }
 
 }  // namespace

@@ -18,10 +18,9 @@ namespace holdfast {
 ///       std::cout << histogram.edges[k] << ": " << histogram.counts[k] << '\n';
 struct Histogram {
   Scaling scaling = Scaling::Linear;
-  std::vector<double> edges;    ///< ascending, one more than bins; the first one of a logarithmic histogram is 0
-  std::vector<Index> counts;    ///< the number of values in each bin
-  Index valueCount = 0;         ///< the number of values in all bins; NaN and infinities are left out
-  Index withoutValueCount = 0;  ///< the number of values that are left out
+  std::vector<double> edges;  ///< ascending, one more than bins; the first one of a logarithmic histogram is 0
+  std::vector<Index> counts;  ///< the number of values in each bin
+  Index valueCount = 0;       ///< the number of values in all bins; NaN and infinities are left out
 };
 
 /// Counts `values` in bins that share one round width. There are at most `mostBins`, which is 2 or more, and none
