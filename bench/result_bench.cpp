@@ -1,7 +1,6 @@
 // What it costs to look at a result: in a frame of a drag, and when the drag rests.
 
 #include <memory>
-#include <string>
 
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/deformer.h>

@@ -1,7 +1,6 @@
 #include "bench/run_benchmarks.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include <holdfast/base/large_memory.h>
 #include <holdfast/io/mesh_file.h>

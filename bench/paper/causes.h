@@ -2,7 +2,6 @@
 /// \file
 /// Causes of instability one by one, and what cures them.
 
-#include <string>
 #include <vector>
 
 #include "bench/paper/bad_plates.h"

@@ -1,7 +1,6 @@
 #include "bench/paper/reference.h"
 
 #include <array>
-#include <cmath>
 
 #include <holdfast/ordering/elimination_order.h>
 

@@ -1,11 +1,9 @@
 // Fig. 2: a plate that is fine on one side and coarse on the other, against the same plate with a symmetric mesh.
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,6 @@
 /// \file
 /// holdfast-batch as its users run it, on a small mesh, with all that it leaves behind.
 
-#include <filesystem>
 #include <string>
 #include <vector>
 

@@ -3,7 +3,6 @@
 /// A mesh with constraints generated for it, deformed by holdfast-batch and judged.
 
 #include <filesystem>
-#include <string>
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,6 @@
 #include "app/generated_task.h"
 
 #include <cmath>
-#include <cstring>
 
 #include <gtest/gtest.h>
 

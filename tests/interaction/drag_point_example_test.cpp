@@ -1,6 +1,5 @@
 // The program examples/drag_point.cpp and the recording beside it. What the recording points at is worked out here.
 
-#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <string>

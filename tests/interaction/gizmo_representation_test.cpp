@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
-#include <tuple>
 
 #include <gmock/gmock.h>
 #include <vtkRenderWindow.h>

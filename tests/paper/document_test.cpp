@@ -2,7 +2,6 @@
 
 #include "bench/paper/document.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <regex>
 #include <set>

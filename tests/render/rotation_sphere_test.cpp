@@ -1,5 +1,3 @@
-#include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 #include <vtkActor.h>

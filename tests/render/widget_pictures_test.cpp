@@ -1,5 +1,4 @@
 // The examples of docs/widgets.md as a program, and the pictures that it draws for that page.
-#include <filesystem>
 #include <string>
 #include <vector>
 

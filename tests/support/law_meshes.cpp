@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include <holdfast/mesh/vertex_normals.h>
 

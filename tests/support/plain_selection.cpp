@@ -1,10 +1,8 @@
 #include "support/plain_selection.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/widgets/mesh/coarse_surface.h>
 
 #include "support/law_meshes.h"

@@ -3,7 +3,6 @@
 #include <limits>
 #include <memory>
 #include <numeric>
-#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

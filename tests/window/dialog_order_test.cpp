@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QDialog>
-#include <filesystem>
 #include <functional>
 
 #include <gtest/gtest.h>

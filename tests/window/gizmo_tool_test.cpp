@@ -2,7 +2,6 @@
 #include <QEvent>
 #include <QLineF>
 #include <QTransform>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
-#include <set>
 
 #include <gtest/gtest.h>
 #include <vtkMapper.h>

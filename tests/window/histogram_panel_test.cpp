@@ -2,7 +2,6 @@
 #include <QPixmap>
 #include <QToolTip>
 #include <algorithm>
-#include <cmath>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 #include <QSpinBox>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <stdexcept>
 
 #include <gtest/gtest.h>

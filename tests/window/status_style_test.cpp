@@ -1,7 +1,6 @@
 #include <QImage>
 #include <QPainter>
 #include <array>
-#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <limits>
 #include <new>
-#include <utility>
 
 #include <malloc.h>
 #include <sys/mman.h>

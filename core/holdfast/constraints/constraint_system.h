@@ -1,7 +1,6 @@
 #pragma once
 /// The solver sees constraints as the rows of B and d, in the user's order, over unknowns.
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -2,7 +2,6 @@
 /// Constraints name places by `near`. These functions tell how such places lie to the surface, and what they may have
 /// been meant to be.
 
-#include <optional>
 #include <span>
 #include <string>
 

@@ -1,6 +1,5 @@
 #include "holdfast/deform/found_findings.h"
 
-#include <cmath>
 #include <deque>
 #include <numbers>
 

@@ -2,7 +2,6 @@
 /// Householder QR of a dense matrix whose columns arrive one by one, in the user's order: section 5 of the paper.
 
 #include <optional>
-#include <vector>
 
 #include <Eigen/Core>
 

@@ -1,8 +1,6 @@
 // Sparse QR by SPQR of SuiteSparse.
 
 #include <algorithm>
-#include <memory>
-#include <stdexcept>
 
 #include <SuiteSparseQR.hpp>
 

@@ -1,7 +1,6 @@
 #include "holdfast/ordering/bisection.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <queue>

@@ -2,7 +2,6 @@
 /// Vertices that stand out of a deformed surface by far more than the constraints near them ask for. Points that nearly
 /// contradict one another are met all the same, at the expense of the vertices that they hang on.
 
-#include <optional>
 #include <vector>
 
 #include <holdfast/constraints/constraint_system.h>

@@ -1,7 +1,6 @@
 #pragma once
 /// Checks of the results of one mesh. Some can be afforded in each frame of a drag; others wait until it rests.
 
-#include <memory>
 #include <optional>
 
 #include <holdfast/base/progress.h>

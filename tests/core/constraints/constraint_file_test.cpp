@@ -1,7 +1,6 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <locale>
 #include <string>
 
 #include <gmock/gmock.h>

@@ -1,4 +1,3 @@
-#include <limits>
 #include <numbers>
 
 #include <gmock/gmock.h>

@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <numeric>
 
 #include <gtest/gtest.h>
 

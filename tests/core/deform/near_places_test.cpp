@@ -2,7 +2,6 @@
 // from which side.
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include <gmock/gmock.h>

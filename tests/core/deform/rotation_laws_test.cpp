@@ -1,4 +1,3 @@
-#include <numbers>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 #include <chrono>
 #include <future>
 #include <memory>
-#include <string>
 #include <thread>
 #include <utility>
 #include <vector>

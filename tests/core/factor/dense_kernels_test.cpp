@@ -1,6 +1,5 @@
 // Dense kernels of every processor that this one can stand in for, against their definitions.
 
-#include <cmath>
 #include <random>
 
 #include <Eigen/Core>

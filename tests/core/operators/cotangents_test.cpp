@@ -1,7 +1,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -2,7 +2,6 @@
 /// \file
 /// Meshes, problems and solutions for tests of the rotation field, in few words.
 
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>

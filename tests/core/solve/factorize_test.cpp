@@ -1,8 +1,6 @@
 #include <array>
 #include <future>
 #include <limits>
-#include <memory>
-#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>

@@ -1,7 +1,5 @@
 // What a deformation made of the part is said, and good results are called fine.
 
-#include <numbers>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

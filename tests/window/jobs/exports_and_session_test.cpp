@@ -4,7 +4,6 @@
 #include <QImage>
 #include <QSpinBox>
 #include <QTreeWidget>
-#include <memory>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -11,7 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/document/list_edits.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/table/constraint_table_model.h>
 #include <holdfast/window/tools/gizmo_tool.h>

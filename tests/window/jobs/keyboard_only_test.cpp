@@ -4,7 +4,6 @@
 #include <QClipboard>
 #include <QLineEdit>
 #include <QTreeWidget>
-#include <fstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

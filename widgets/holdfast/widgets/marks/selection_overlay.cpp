@@ -1,7 +1,5 @@
 #include "holdfast/widgets/marks/selection_overlay.h"
 
-#include <utility>
-
 #include <vtkCellArray.h>
 
 #include <holdfast/widgets/marks/constraint_glyphs.h>

@@ -6,7 +6,6 @@
 
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
-#include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
 

@@ -1,6 +1,5 @@
 #include "holdfast/window/tools/moved_region.h"
 
-#include <algorithm>
 #include <array>
 #include <unordered_map>
 

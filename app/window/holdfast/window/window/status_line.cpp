@@ -2,7 +2,6 @@
 
 #include <QEvent>
 #include <algorithm>
-#include <cmath>
 
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/window/controls/panel_parts.h>
