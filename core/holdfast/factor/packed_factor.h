@@ -39,7 +39,6 @@ class PackedFactor {
   [[nodiscard]] const std::vector<int>& negative() const noexcept { return negative_; }
 
   [[nodiscard]] const SymbolicFactor& symbolic() const noexcept { return *symbolic_; }
-  [[nodiscard]] std::size_t bytes() const noexcept { return size_ * sizeof(double); }
 
  private:
   /// A column with few entries has pairs of row and value, in the order of elimination.
