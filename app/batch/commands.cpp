@@ -13,6 +13,7 @@
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/report_json.h>
 #include <holdfast/io/files/output_file.h>
+#include <holdfast/mesh/labels.h>
 
 #include "batch/batch.h"
 
@@ -54,7 +55,7 @@ void refuseNonFinite(const Command& command, const Mesh& mesh)
   addReport(outputs, command, report);
   for (OutputFile& output : outputs) output.commit();
   const Finding& finding = report.mesh.findings.front();
-  throw InputError({command.mesh, 0, fmt::format("vertex {}", finding.ids.front())}, finding.message);
+  throw InputError({command.mesh, 0, vertexText(mesh, finding.ids.front())}, finding.message);
 }
 
 /// Prints nothing in the first second; then each step and, of those that take long, every fifth, with the seconds since

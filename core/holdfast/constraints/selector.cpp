@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/mesh/labels.h>
+
 namespace holdfast {
 namespace {
 
@@ -224,11 +226,11 @@ std::vector<Index> Selector::placesOf(const InsideCurve& curve, const InputLocat
     const Index vertex = nearestVertex(curve.through[k], here);
     const Index unknown = solverMesh_.weld.unknownOf[vertex];
     if (solverMesh_.componentOf[unknown] < 0)
-      throw InputError(here, fmt::format("no face uses vertex {}; name a place of the surface", vertex));
+      throw InputError(here, fmt::format("no face uses {}; name a place of the surface", vertexText(mesh_, vertex)));
     if (const auto [other, isNew] = placeAt.emplace(unknown, k); !isNew)
-      throw InputError(
-          here, fmt::format("it goes to vertex {}, as through[{}] does; leave one of them out, or move them apart",
-                            vertex, other->second));
+      throw InputError(here,
+                       fmt::format("it goes to {}, as through[{}] does; leave one of them out, or move them apart",
+                                   vertexText(mesh_, vertex), other->second));
     places.push_back(unknown);
     if (solverMesh_.componentOf[unknown] != solverMesh_.componentOf[places.front()])
       throw InputError(here, fmt::format("it lies on part {} of the mesh, through[0] on part {}, and no edges join the "

@@ -7,6 +7,7 @@
 
 #include <holdfast/base/printable.h>
 #include <holdfast/mesh/index_lists.h>
+#include <holdfast/mesh/labels.h>
 
 namespace holdfast {
 namespace {
@@ -162,10 +163,10 @@ Finding unconvergedWarning(const RotationIterations& iterations, const RotationO
 std::string undefinedRowsMessage(const Model& model, const Operators& operators)
 {
   return fmt::format(
-      "the weights \"{}\" are not finite at {} vertices, the first of them vertex {}, because a face there has no "
+      "the weights \"{}\" are not finite at {} vertices, the first of them {}, because a face there has no "
       "area; use the weights \"cotangent\", which are guarded against that, or repair those faces",
       name(operators.weights), operators.undefinedRows.size(),
-      model.solverMesh.weld.firstVertexOf[operators.undefinedRows.front()]);
+      vertexText(model.mesh, model.solverMesh.weld.firstVertexOf[operators.undefinedRows.front()]));
 }
 
 std::string failureMessage(const DeformOptions& options, const std::string& reason)

@@ -6,6 +6,7 @@
 
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/geometry/bounding_box.h>
+#include <holdfast/mesh/labels.h>
 #include <holdfast/mesh/stated_places.h>
 #include <holdfast/surface/surface_locator.h>
 
@@ -15,9 +16,7 @@ namespace {
 void requireUsableFaces(const Mesh& mesh, const std::string& source)
 {
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    const auto fail = [&](const std::string& reason) {
-      throw InputError({source, 0, fmt::format("face {}", f)}, reason);
-    };
+    const auto fail = [&](const std::string& reason) { throw InputError({source, 0, faceText(mesh, f)}, reason); };
     for (const Index vertex : mesh.faces[f])
       if (vertex < 0 || vertex >= mesh.vertexCount())
         fail(fmt::format("vertex {} does not exist: the mesh has {}, numbered from 0", vertex, mesh.vertexCount()));
@@ -44,8 +43,9 @@ std::vector<Index> givePlaces(Mesh& mesh)
   return withoutPlace;
 }
 
-void requireSparseRows(const SolverMesh& mesh, const std::string& source)
+void requireSparseRows(const Model& model, const std::string& source)
 {
+  const SolverMesh& mesh = model.solverMesh;
   constexpr double kMany = 1000;  // fewer make nothing dense that would be sparse without them
   std::vector<double> count(static_cast<std::size_t>(mesh.unknownCount()), 0);
   for (const Triangle& triangle : mesh.triangles)
@@ -57,7 +57,7 @@ void requireSparseRows(const SolverMesh& mesh, const std::string& source)
   if (squares <= kMost * kMost) return;
   const auto largest = std::max_element(count.begin(), count.end());
   throw InputError(
-      {source, 0, fmt::format("vertex {}", mesh.weld.firstVertexOf[largest - count.begin()])},
+      {source, 0, vertexText(model.mesh, mesh.weld.firstVertexOf[largest - count.begin()])},
       fmt::format("{} triangles meet here, which would fill the memory; divide the faces so that at most {} "
                   "meet at a vertex (of several with more than {}, the root of the sum of squares counts)",
                   *largest, kMostTrianglesAtAVertex, kMany));
@@ -76,7 +76,7 @@ Model makeModel(Mesh mesh, const std::string& source, double weldTolerance)
     throw InputError({source, 0, ""}, "the mesh has no faces of three corners or more; give a surface mesh");
   requireUsableFaces(mesh, source);
   if (const std::vector<Finding> broken = findNonFinite(mesh); !broken.empty())
-    throw InputError({source, 0, fmt::format("vertex {}", broken.front().ids.front())}, broken.front().message);
+    throw InputError({source, 0, vertexText(mesh, broken.front().ids.front())}, broken.front().message);
   Model model;
   model.surface = std::make_shared<SurfaceIndex>();
   const std::vector<Index> withoutPlace = givePlaces(mesh);
@@ -88,7 +88,7 @@ Model makeModel(Mesh mesh, const std::string& source, double weldTolerance)
     throw InputError({source, 0, ""}, "the mesh is too large for doubles; scale it down");
   if (!(model.solverMesh.diagonal > 0))
     throw InputError({source, 0, ""}, "all vertices lie in one place; the mesh has no size to deform");
-  requireSparseRows(model.solverMesh, source);
+  requireSparseRows(model, source);
   model.findings = checkMesh(model.mesh, model.triangulation, model.solverMesh);
   return model;
 }

@@ -80,6 +80,13 @@ class Polygons {
   std::vector<int> corners_;
 };
 
+/// Labels are the numbers that a file gives its vertices and faces, such as those of nodes and elements. Each list has
+/// one for each vertex or face, or is empty. Constraints name vertices and faces by their places, not by labels.
+struct Labels {
+  std::vector<Index> vertices = {};
+  std::vector<Index> faces = {};
+};
+
 /// Positions and faces as in the file. Every corner is a valid vertex id: readers guarantee it, and `makeModel` refuses
 /// others. Nothing else is promised. Faces with fewer than three corners keep their number and are no surface.
 ///
@@ -91,6 +98,7 @@ class Polygons {
 struct Mesh {
   Positions positions;
   Polygons faces;
+  Labels labels = {};  ///< for messages and for readers of tables; nothing is computed from them
 
   [[nodiscard]] Index vertexCount() const noexcept { return positions.rows(); }
 };

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/printable.h>
+#include <holdfast/mesh/labels.h>
 
 namespace holdfast {
 namespace {
@@ -67,16 +68,17 @@ std::vector<Term> supportOf(const SurfaceLocation& location, const SurfacePoint&
   return point.terms;
 }
 
-Index hostFaceOf(const SurfaceLocation& location, const std::vector<Term>& terms, const Polygons& faces)
+Index hostFaceOf(const SurfaceLocation& location, const std::vector<Term>& terms, const Mesh& mesh)
 {
+  const Polygons& faces = mesh.faces;
   if (const auto* face = std::get_if<AtFace>(&location)) return face->face;
   for (Index f = 0; f < faces.size(); ++f)
     if (faces.isSurface(f) &&
         std::ranges::all_of(terms, [&](const Term& t) { return cornerOf(faces[f], t.index) < faces[f].size(); }))
       return f;
-  throw InputError(
-      {}, fmt::format("no face uses vertex {}, so a point there can only be that vertex; choose another vertex first",
-                      terms.front().index));
+  throw InputError({},
+                   fmt::format("no face uses {}, so a point there can only be that vertex; choose another vertex first",
+                               vertexText(mesh, terms.front().index)));
 }
 
 AtVertex nearestCorner(Corners face, const Vector3& place, const Positions& rest)
@@ -105,8 +107,9 @@ AtEdge nearestSide(Corners face, const Vector3& place, const Positions& rest)
   return nearest;
 }
 
-AtEdge firstEdgeAt(Index vertex, const Polygons& faces)
+AtEdge firstEdgeAt(Index vertex, const Mesh& mesh)
 {
+  const Polygons& faces = mesh.faces;
   for (Index f = 0; f < faces.size(); ++f)
     for (std::size_t k = 0; faces.isSurface(f) && k < faces[f].size(); ++k) {
       const Index i = faces[f][k];
@@ -114,9 +117,8 @@ AtEdge firstEdgeAt(Index vertex, const Polygons& faces)
       if (i != j && (i == vertex || j == vertex)) return {vertex, i == vertex ? j : i, 1};
     }
   throw InputError(
-      {},
-      fmt::format("no edge joins vertex {} to another, so a point there cannot lie on one; choose another vertex first",
-                  vertex));
+      {}, fmt::format("no edge joins {} to another, so a point there cannot lie on one; choose another vertex first",
+                      vertexText(mesh, vertex)));
 }
 
 AtFace inFace(Index face, Corners corners, const std::vector<Term>& terms)
@@ -223,14 +225,13 @@ SurfacePoint SurfaceLocator::at(const AtFace& face, const InputLocation& where) 
   const auto corners = mesh_.faces[face.face];
   if (!mesh_.faces.isSurface(face.face))
     throw InputError(below(where, ".face"),
-                     fmt::format("face {} has {} and is no surface; name a face of three corners or more", face.face,
-                                 counted(static_cast<Index>(corners.size()), "corner")));
+                     fmt::format("{} has {} and is no surface; name a face of three corners or more",
+                                 faceText(mesh_, face.face), counted(static_cast<Index>(corners.size()), "corner")));
   if (corners.size() != face.weights.size())
     throw InputError(
         below(where, ".weights"),
-        fmt::format(
-            "face {} has {} corners but {} weights are given; give one for each corner in the order of the file",
-            face.face, corners.size(), face.weights.size()));
+        fmt::format("{} has {} corners but {} weights are given; give one for each corner in the order of the file",
+                    faceText(mesh_, face.face), corners.size(), face.weights.size()));
   std::vector<Term> terms;
   for (std::size_t k = 0; k < corners.size(); ++k) terms.push_back({corners[k], face.weights[k]});
   return canonical(std::move(terms));
@@ -257,7 +258,7 @@ SurfaceLocation converted(const SurfaceLocation& location, LocationKind kind, co
   const Vector3 place = positionOf(point, mesh.positions);
   const bool isVertex = point.terms.size() == 1;
   if (kind == LocationKind::Vertex && isVertex) return AtVertex{point.terms.front().index};
-  const Index f = hostFaceOf(location, terms, mesh.faces);
+  const Index f = hostFaceOf(location, terms, mesh);
   const Corners face = mesh.faces[f];
   switch (kind) {
     case LocationKind::Vertex:
@@ -265,7 +266,7 @@ SurfaceLocation converted(const SurfaceLocation& location, LocationKind kind, co
         return nearestCorner(face, place, mesh.positions);
       return AtVertex{terms[0].coefficient >= terms[1].coefficient ? terms[0].index : terms[1].index};
     case LocationKind::Edge:
-      if (isVertex) return firstEdgeAt(point.terms.front().index, mesh.faces);
+      if (isVertex) return firstEdgeAt(point.terms.front().index, mesh);
       if (terms.size() == 2 && locator.isEdge(terms[0].index, terms[1].index))
         return AtEdge{terms[0].index, terms[1].index, terms[0].coefficient};
       return nearestSide(face, place, mesh.positions);

@@ -98,6 +98,16 @@ QString locationText(const SurfaceLocation& location)
   return std::visit(LocationText{}, location);
 }
 
+QString labelText(const Mesh& mesh, const SurfaceLocation& location)
+{
+  std::optional<Index> label;
+  if (const auto* vertex = std::get_if<AtVertex>(&location); vertex != nullptr && !mesh.labels.vertices.empty())
+    label = mesh.labels.vertices[vertex->vertex];
+  if (const auto* face = std::get_if<AtFace>(&location); face != nullptr && !mesh.labels.faces.empty())
+    label = mesh.labels.faces[face->face];
+  return label ? QObject::tr(" (labelled %1)").arg(*label) : QString();
+}
+
 QString selectionText(const Selection& selection)
 {
   return std::visit(SelectionText{}, selection.what);

@@ -16,6 +16,9 @@ namespace holdfast {
 /// Returns a location in words: "vertex 12", "edge 12–13, t 0.25", "face 77: 0.2, 0.3, 0.5", "near (4.1, 0.2, 0.9)".
 [[nodiscard]] QString locationText(const SurfaceLocation& location);
 
+/// Returns " (labelled 100234)" for a vertex or face that has a label in its file. Returns nothing for others.
+[[nodiscard]] QString labelText(const Mesh& mesh, const SurfaceLocation& location);
+
 /// Returns a selection in words: "25 vertices", "box", "sphere or sphere", "curve through 5 places", ...
 [[nodiscard]] QString selectionText(const Selection& selection);
 

@@ -188,7 +188,7 @@ QString ViewportOverlay::cursorText() const
   const auto& [pick, constraint] = editor_.underCursor();
   if (!pick || !editor_.isOpen()) return {};
   const SurfacePoint point = pointOf(pick->location, editor_.model()->mesh);
-  QStringList lines{locationText(pick->location),
+  QStringList lines{locationText(pick->location) + labelText(editor_.model()->mesh, pick->location),
                     placeText(positionOf(point, viewport_.surface()->positions()), editor_.lengthStyle())};
   if (const auto& coloring = viewport_.coloring())
     lines << QString::fromStdString(coloring->scale.title).replace('\n', ' ') + ": " +
