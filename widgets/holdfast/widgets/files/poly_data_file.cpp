@@ -16,6 +16,7 @@
 #include <vtkXMLWriter.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/same_bits.h>
 #include <holdfast/io/files/file_bytes.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/mesh/vertex_normals.h>
