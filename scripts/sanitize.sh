@@ -3,7 +3,7 @@
 #   scripts/sanitize.sh [--threads] [--window] [CTEST-OPTION...]
 #     alone                 core and batch, under the address and undefined-behaviour sanitizers
 #     --window              widgets, pictures and window, under the same
-#     --threads             the worker that deforms in the background, under the thread sanitizer
+#     --threads             the worker that deforms in the background, and threads that share a model, under the thread sanitizer
 #     --threads --window    the window and its workers, under the thread sanitizer
 # Libraries are not built for sanitizers. Those of the window leak (libdbus, drivers of OpenGL), so leaks are looked for
 # without it alone; what the thread sanitizer takes wrongly for races of theirs is listed in tests/support/tsan.supp.
