@@ -41,8 +41,14 @@ struct DeformResult {
   [[nodiscard]] const Columns3& multipliers() const;
 };
 
-/// Deforms `model` under `constraints`. Messages call the list `source`. Throws `InputError` for constraints that do
-/// not fit the mesh, and what `progress` throws. The report has everything else. The model is not changed.
+/// Deforms `model` under `constraints`. Messages call the list `source`. The model is not changed. Any thread may call
+/// this. Several may do so at once with one model, and each gets the bits that it would get alone.
+///
+/// Throws `InputError` for constraints that do not fit the mesh, `std::bad_alloc` where memory does not suffice, and
+/// what `progress` throws. The report has everything else. Without a usable solution the status is `Failed`.
+///
+/// A surface of n vertices takes O(n^1.5) operations and O(n log n) memory, at n = 400,000 some 2 KB a vertex. Nearly
+/// all of both is for the factor. A `Deformer` keeps it for other targets.
 ///
 ///     const Model model = makeModel(readMesh("bracket.obj").mesh, "bracket.obj");
 ///     DeformOptions options;

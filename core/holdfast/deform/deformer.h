@@ -26,7 +26,11 @@ enum class DeformerMode {
 };
 
 /// Deforms one model under one list of constraints after another. The first call makes the operators. As long as only
-/// targets and rotations change from one list to the next, nothing is factorised. Calls must not be concurrent.
+/// targets and rotations change from one list to the next, nothing is factorised. Each call throws what the function
+/// `deform` throws.
+///
+/// Calls of one deformer must not be concurrent. Deformers that share a model may run in threads of their own. A
+/// deformer that was moved from can only be assigned to or destroyed.
 ///
 ///     Deformer deformer(model);
 ///     for (const Vector3& place : places) {
@@ -35,6 +39,8 @@ enum class DeformerMode {
 ///     }
 class Deformer {
  public:
+  /// Makes a deformer that owns `model`, or one that shares it. A shared model is not null, and does not change.
+  /// Nothing is computed before the first call.
   explicit Deformer(Model model, const DeformOptions& options = {}, DeformerMode mode = DeformerMode::Repeatable);
   explicit Deformer(std::shared_ptr<const Model> model, const DeformOptions& options = {},
                     DeformerMode mode = DeformerMode::Repeatable);
@@ -64,7 +70,7 @@ class Deformer {
   /// Throws what `progress` throws.
   [[nodiscard]] Report examined(const DeformResult& result, Progress& progress = noProgress());
 
-  /// Sets the constraints under which `deform()` deforms.
+  /// Sets the constraints under which `deform()` deforms. Before the first call there are none, and nothing moves.
   void setConstraints(ConstraintList constraints);
   /// Returns the constraint of that name, so that it can be changed. Throws `InputError` where there is none.
   [[nodiscard]] Constraint& constraint(std::string_view name);

@@ -43,6 +43,9 @@ inline constexpr Index kMostTrianglesAtAVertex = 8000;
 /// - Too many triangles meet at vertices. The squares of their numbers, at vertices of more than 1,000, sum up to more
 ///   than the square of `kMostTrianglesAtAVertex`.
 /// - `weldTolerance` is above `kLargestWeld` of the diagonal.
+///
+///     const Model model = makeModel({positions, Polygons(triangles)}, "part");
+///     for (const Finding& finding : model.findings) std::cerr << finding.message << '\n';
 [[nodiscard]] Model makeModel(Mesh mesh, const std::string& source = "mesh", double weldTolerance = 0);
 
 /// The largest tolerance of welding, as a share of the diagonal. A larger one would join what was meant to be apart.

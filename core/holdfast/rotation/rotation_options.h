@@ -38,7 +38,9 @@ inline constexpr int kMostIterations = 1000;
 struct RotationOptions {
   RotationSource source = RotationSource::Given;
   /// Rotations that are found are good enough when an iteration moves no vertex by more than this share of the diagonal
-  /// of the bounding box. With `FoundSmooth` it is a share of the diameter of the smallest sphere around the mesh.
+  /// of the bounding box. With `FoundSmooth` it is a share of the diameter of the smallest sphere around the mesh. No
+  /// iteration reaches a negative share. What is not reached within `mostIterations` ends with
+  /// `RotationIterations::isConverged` false.
   double change = kFoundChange;
   int mostIterations = kMostIterations;
 

@@ -38,9 +38,9 @@ enum class SolverKind {
 ///     const DeformResult compromise = deform(model, constraints, "constraints", options);
 struct SolverOptions {
   SolverKind kind = SolverKind::Hard;
-  Backend backend = Backend::Holdfast;
-  /// The weight w of soft constraints, (7) and (8). It has to be positive. It is for models measured in diameters of
-  /// the smallest sphere around them.
+  Backend backend = Backend::Holdfast;  ///< with one that is not built the status is `Failed`
+  /// The weight w of soft constraints, (7) and (8), for models measured in diameters of the smallest sphere around
+  /// them. It has to be positive and finite. With any other weight the status of a soft solution is `Failed`.
   double softWeight = 5;
 
   friend bool operator==(const SolverOptions&, const SolverOptions&) = default;
