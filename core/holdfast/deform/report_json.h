@@ -1,6 +1,8 @@
 #pragma once
 /// These functions write a report as a file (JSON, version 1), and its constraints as a table (CSV). docs/formats.md
 /// describes every key.
+///
+///     std::ofstream("report.json") << reportToJson(result.report);
 
 #include <string>
 
