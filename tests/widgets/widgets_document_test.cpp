@@ -64,6 +64,7 @@ std::vector<std::string> markedIn(const std::string& source)
 /// A class of the room whose header is that of a widget or a style.
 struct WidgetHeader {
   std::string name;
+  std::string text;
   std::string source;  // the text that implements it
 };
 
@@ -76,7 +77,7 @@ std::vector<WidgetHeader> widgetHeaders()
     const std::string text = test::bytesOf(entry.path());
     std::smatch found;
     if (std::regex_search(text, found, std::regex(R"(\nclass (\w+(?:Widget|Style)) : public)")))
-      headers.push_back({found[1], test::bytesOf(std::filesystem::path(entry.path()).replace_extension(".cpp"))});
+      headers.push_back({found[1], text, test::bytesOf(std::filesystem::path(entry.path()).replace_extension(".cpp"))});
   }
   return headers;
 }
@@ -102,6 +103,21 @@ std::set<std::string> eventsIn(const std::string& text)
   return names;
 }
 
+/// Returns the events that a header lists as those that its widget invokes, from that sentence to the class.
+std::set<std::string> eventsListedIn(const std::string& header)
+{
+  const std::regex event(R"(///     (\w+Event) .*)");
+  std::set<std::string> names;
+  std::smatch match;
+  bool isListed = false;
+  for (const std::string& line : linesOf(header)) {
+    if (line.starts_with("/// These are the events that it invokes")) isListed = true;
+    if (!line.starts_with("///")) isListed = false;
+    if (isListed && std::regex_match(line, match, event)) names.insert(match[1]);
+  }
+  return names;
+}
+
 /// Returns the events that a source invokes.
 std::set<std::string> eventsOf(const std::string& source)
 {
@@ -115,8 +131,8 @@ std::set<std::string> eventsOf(const std::string& source)
 std::vector<std::string> withoutASection(const std::string& page)
 {
   std::vector<std::string> names;
-  for (const auto& [name, source] : widgetHeaders())
-    if (sectionOf(name, page).empty()) names.push_back(name);
+  for (const WidgetHeader& header : widgetHeaders())
+    if (sectionOf(header.name, page).empty()) names.push_back(header.name);
   return names;
 }
 
@@ -141,13 +157,14 @@ TEST(WidgetsDocument, NamesTheEventsThatWidgetsInvoke)
   const std::set<std::string> ofVtk{"StartInteractionEvent", "InteractionEvent", "EndInteractionEvent",
                                     "PlacePointEvent"};
   const std::string page = fileOfProject("docs/widgets.md");
-  for (const auto& [name, source] : widgetHeaders()) {
+  for (const auto& [name, text, source] : widgetHeaders()) {
     const std::set<std::string> named = eventsIn(sectionOf(name, page));
     const std::set<std::string> invoked = eventsOf(source);
     EXPECT_THAT(invoked, Not(IsEmpty())) << name;
     for (const std::string& event : invoked) EXPECT_TRUE(named.contains(event)) << name << ": " << event;
     for (const std::string& event : named)
       EXPECT_TRUE(invoked.contains(event) || ofVtk.contains(event)) << name << ": " << event;
+    EXPECT_EQ(eventsListedIn(text), named) << name << ": its header and the page";
   }
 }
 
@@ -169,6 +186,17 @@ TEST(WidgetsDocumentMustFail, ForALineThatDiffers)
   EXPECT_THAT(markedIn(source), ElementsAre("one();\n  two();\n"));
   EXPECT_THAT(printedIn("text\n```cpp\none();\n  two();\n```\nmore\n"), ElementsAre("one();\n  two();\n"));
   EXPECT_THAT(markedIn(source), Not(Contains(printedIn("```cpp\none();\n  two() ;\n```\n").front())));
+}
+
+TEST(WidgetsDocumentMustFail, ForAHeaderThatListsOtherEvents)
+{
+  const std::string bindings = "///     MouseMoveEvent    Move: drags\n///\n";
+  const std::string title = "/// These are the events that it invokes, without call data:\n///\n";
+  const std::string events =
+      "///     PickEvent    a click\n///                  beside InteractionEvent\n///\n/// Text.\n";
+  EXPECT_THAT(eventsListedIn(bindings + title + events + "class A {\n///     EndEvent    no\n"),
+              ElementsAre("PickEvent"));
+  EXPECT_THAT(eventsListedIn(bindings + events), IsEmpty()) << "without the sentence";
 }
 
 TEST(WidgetsDocumentMustFail, ForAWidgetWithoutASection)

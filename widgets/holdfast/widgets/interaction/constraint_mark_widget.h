@@ -14,6 +14,7 @@
 
 namespace holdfast {
 
+/// Finds constraints by their marks in the picture. It draws nothing: `SceneContents` draw the marks.
 class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
  public:
   static ConstraintMarkRepresentation* New();
@@ -80,6 +81,11 @@ struct ConstraintPick {
 ///     LeaveEvent               HoverLeave: highlights none
 ///     LeftButtonPressEvent     Select: begins a click
 ///     LeftButtonReleaseEvent   EndSelect: ends the click, and reports it; with Shift or Ctrl it has `isAdded`
+///
+/// These are the events that it invokes:
+///
+///     HighlightEvent           another constraint is under the cursor; call data: `Index*`, or null for none
+///     PickEvent                a click, also beside all constraints; call data: `ConstraintPick*`
 class ConstraintMarkWidget : public WidgetOf<ConstraintMarkRepresentation> {
  public:
   static ConstraintMarkWidget* New();

@@ -165,6 +165,14 @@ class GizmoRepresentation : public vtkWidgetRepresentation {
 ///     KeyPressEvent Return, KP_Enter              Completed: ends the drag of a typed number
 ///     KeyPressEvent Escape                        Reset: takes back the drag, and the choice of a part
 ///
+/// These are the events that it invokes:
+///
+///     HighlightEvent            another part is active, or none; call data: `GizmoPart*`
+///     StartInteractionEvent     a drag begins
+///     InteractionEvent          it moved or rotated; call data: `GizmoMotion*`, from where it stood before the drag
+///     EndInteractionEvent       a drag ends, and counts
+///     CancelInteractionEvent    a drag was taken back: the gizmo stands where it stood before
+///
 /// The widget aborts the events that it uses. These include mouse events over a part. Two kinds of events pass:
 /// characters with Ctrl or Alt, and the first move onto the gizmo. By that move other widgets learn that the cursor has
 /// left them. The widget does not highlight while a button is down that was pressed beside it.

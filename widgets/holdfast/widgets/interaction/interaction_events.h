@@ -1,6 +1,6 @@
 #pragma once
-/// The widgets of this folder share events beside VTK's, bindings, cursor, clicks and modes of selection. The page
-/// docs/widgets.md lists the events and the bindings of each widget, with the call data. The event translator of a
+/// The widgets of this folder share events beside VTK's, bindings, cursor, clicks and modes of selection. The header of
+/// each widget lists its bindings and the events that it invokes, with their call data. The event translator of a
 /// widget can change its bindings. Sizes are pixels of a display of ordinary resolution. `PixelRatio`, 1 by default, is
 /// the number of window pixels for each of them.
 

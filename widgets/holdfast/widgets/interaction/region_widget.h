@@ -58,6 +58,7 @@ class RegionRepresentation : public DrawnByProps<vtkWidgetRepresentation> {
   vtkNew<vtkActor2D> DarkLine;
 };
 
+/// How a region is drawn, and what of the surface the gesture reaches.
 enum class RegionShape {
   Brush,      ///< a stroke reaches the vertices that the brush touches along the surface
   Rectangle,  ///< a drag spans a rectangle, which reaches what is seen in it
@@ -100,6 +101,14 @@ struct RegionCallData {
 ///     KeyPressEvent n                   ModifyEvent: changes from where the angle of a side is measured
 ///     KeyPressEvent Escape              Reset: takes back the gesture
 ///     TimerEvent                        TimedOut: goes on with the search of rectangle or lasso
+///
+/// These are the events that it invokes. The call data of the first four are a `RegionCallData*`; the last has none:
+///
+///     StartInteractionEvent     a gesture begins; nothing is reached yet
+///     InteractionEvent          the brush has moved on; `reached` is all of the stroke so far
+///     EndInteractionEvent       the gesture is complete, and `reached` with it
+///     CancelInteractionEvent    the gesture was taken back, or its outline was too small; `reached` is empty
+///     WidgetValueChangedEvent   a key has asked for another radius or angle, or to measure the angle from elsewhere
 ///
 /// The widget aborts the events of a gesture. A brush beside the surface and a click on a side leave their events to
 /// the camera.

@@ -8,8 +8,7 @@
 
 namespace holdfast {
 
-/// Rotates and zooms a `RotationSphere`. It invokes `PickEvent` for a click on a point, with the vertex of the file as
-/// call data.
+/// Rotates and zooms a `RotationSphere`, and reports the point that is clicked.
 ///
 ///     vtkNew<RotationSphereStyle> style;
 ///     style->SetSphere(&sphere);
@@ -24,6 +23,13 @@ namespace holdfast {
 ///     wheel                         zooms
 ///     "plus" or "equal"; "minus"    zoom in; out
 ///     double click, "Home"          shows all that is prescribed
+///
+/// These are the events that it invokes:
+///
+///     StartInteractionEvent         a drag begins
+///     InteractionEvent              the camera was moved, by any of these bindings
+///     EndInteractionEvent           a drag ends
+///     PickEvent                     a click on a point; call data: `Index*`, the vertex of the file
 class RotationSphereStyle : public vtkInteractorStyle {
  public:
   static RotationSphereStyle* New();

@@ -42,6 +42,19 @@ class OrientationRepresentation : public vtkCameraOrientationRepresentation {
 ///     vtkNew<OrientationWidget> axes;
 ///     axes->SetParentRenderer(renderer);  // it is in a window with an interactor
 ///     axes->On();
+///
+/// The bindings are those of `vtkCameraOrientationWidget`, each with its widget event. They are for the cursor on the
+/// axes:
+///
+///     MouseMoveEvent            Move: highlights the ball under the cursor, or rotates the camera
+///     LeftButtonPressEvent      Select: takes the ball under the cursor
+///     LeftButtonReleaseEvent    EndSelect: looks along the axis of that ball, or ends the rotation
+///
+/// These are the events that it invokes, without call data:
+///
+///     StartInteractionEvent     the button went down on the axes
+///     InteractionEvent          a drag has rotated the camera
+///     EndInteractionEvent       the button came up
 class OrientationWidget : public WidgetOf<OrientationRepresentation, vtkCameraOrientationWidget> {
  public:
   static OrientationWidget* New();
@@ -66,6 +79,10 @@ class OrientationWidget : public WidgetOf<OrientationRepresentation, vtkCameraOr
 ///     widget->SetInteractor(interactor);
 ///     widget->SetRepresentation(plane);
 ///     widget->On();
+///
+/// Bindings and events are those of `vtkImplicitPlaneWidget2`. The left button moves or rotates the part under the
+/// cursor, the middle one moves the plane, the right one scales. Arrow keys move it along its normal.
+/// `InteractionEvent` comes for each of these motions.
 class SectionPlaneRepresentation : public vtkImplicitPlaneRepresentation {
  public:
   static SectionPlaneRepresentation* New();

@@ -30,7 +30,13 @@ namespace holdfast {
 ///
 /// The wheel goes nearer to the place, by 1.2 for each notch, to the power of `GetMouseWheelMotionFactor`. A drag
 /// begins when the cursor is 4 pixels away from the press, so that widgets above can take clicks.
-/// `ContextMenuRequestEvent` comes when the right button went down and up in one place.
+///
+/// These are the events that it invokes, without call data:
+///
+///     StartInteractionEvent      a drag begins
+///     InteractionEvent           the camera was moved, by the wheel as well
+///     EndInteractionEvent        a drag ends, by `Cancel` as well
+///     ContextMenuRequestEvent    the right button went down and up in one place
 ///
 /// The keys of `vtkInteractorStyle` ("q" ends the program, "w" draws lines) are not bound.
 class SurfaceCameraStyle : public vtkInteractorStyle {

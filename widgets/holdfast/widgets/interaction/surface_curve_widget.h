@@ -172,6 +172,16 @@ class SurfaceCurveRepresentation : public DrawnByProps<vtkContourRepresentation>
 ///     KeyPressEvent BackSpace, Delete   Delete: removes the place under the cursor (closed curve), else the last one
 ///     KeyPressEvent Escape              Reset: takes back a drag, or else all places
 ///
+/// These are the events that it invokes. But for PlacePointEvent, their call data are all places,
+/// `std::vector<Index>*`:
+///
+///     StartInteractionEvent     the first place is put, or a drag begins
+///     PlacePointEvent           a place is put at the end; call data: `Index*`, its vertex
+///     InteractionEvent          a place was dragged to another vertex
+///     WidgetValueChangedEvent   the curve has changed by mouse or keys, Escape excepted
+///     EndInteractionEvent       the curve is closed, or a drag ends
+///     CancelInteractionEvent    a drag or all places were taken back
+///
 /// `FollowCursor`, on by default, shows the way to the vertex under the cursor. `ContinuousDraw` and `AllowNodePicking`
 /// have no effect. `CloseLoop` closes the curve without an event. Disabling keeps the curve.
 class SurfaceCurveWidget : public WidgetOf<SurfaceCurveRepresentation, vtkContourWidget> {

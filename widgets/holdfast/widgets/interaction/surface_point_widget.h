@@ -68,6 +68,13 @@ class SurfacePointRepresentation : public DrawnByProps<vtkWidgetRepresentation> 
 ///     LeftButtonReleaseEvent          AddPoint: ends the click, and reports the point
 ///     CharEvent v, e, f, a            ChooseVertices, ChooseEdges, ChooseFaces, ChooseNearest
 ///
+/// These are the events that it invokes:
+///
+///     InteractionEvent          the cursor has moved over the surface; call data: `SurfacePick*`. Once more, with
+///                               null, when the point goes
+///     PlacePointEvent           a click on a point; call data: `SurfacePick*`
+///     WidgetValueChangedEvent   a key has chosen what points may lie on; call data: `PickKind*`
+///
 /// The keys are those of CharEvent, by which VTK's own styles would quit or fly. The widget aborts those that it uses.
 class SurfacePointWidget : public WidgetOf<SurfacePointRepresentation> {
  public:

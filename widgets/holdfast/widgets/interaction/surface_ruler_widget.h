@@ -159,6 +159,15 @@ class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
 ///     LeftButtonReleaseEvent   EndSelect: lets the end go, or places one
 ///     KeyPressEvent Escape     Reset: removes a half-drawn ruler, or takes a drag back
 ///
+/// These are the events that it invokes:
+///
+///     StartInteractionEvent     the first end is placed, or an end is grabbed
+///     PlacePointEvent           a click has placed an end; call data: `int*`, 0 or 1
+///     InteractionEvent          the second end goes with the cursor, or an end is dragged
+///     EndInteractionEvent       the second end is placed, or an end is let go
+///     NextRulerEvent            a click is about to begin another ruler; the present one can still be read
+///     CancelInteractionEvent    the half-drawn ruler is gone, or the end is back where it was
+///
 /// Ends are on vertices, on edges or in faces, and move with the surface. A click is as `Click` describes. A drag of an
 /// end aborts its events.
 class SurfaceRulerWidget : public WidgetOf<SurfaceRulerRepresentation, vtkDistanceWidget> {
