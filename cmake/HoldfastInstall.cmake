@@ -24,16 +24,17 @@ foreach(program IN ITEMS holdfast-batch holdfast-batch-vtk holdfast)
   endif()
 endforeach()
 
-# The window shows these: the manual, examples and their pictures.
-if(TARGET holdfast)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/data" "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DATADIR}/holdfast")
-endif()
+# Pages are installed with what they link to, in the folders of the project. The window shows the manual and the example data.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/data" "${PROJECT_SOURCE_DIR}/docs" "${PROJECT_SOURCE_DIR}/examples"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/holdfast")
+install(FILES README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/holdfast")
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/holdfast-config.cmake.in"
   "${PROJECT_BINARY_DIR}/holdfast-config.cmake" INSTALL_DESTINATION "${holdfast_package_dir}"
   NO_SET_AND_CHECK_MACRO)
-# Before 1.0 a minor version may change the interface.
-write_basic_package_version_file("${PROJECT_BINARY_DIR}/holdfast-config-version.cmake" COMPATIBILITY SameMinorVersion)
+# A minor version only adds (docs/library.md).
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/holdfast-config-version.cmake" COMPATIBILITY SameMajorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/holdfast-config.cmake" "${PROJECT_BINARY_DIR}/holdfast-config-version.cmake"
   DESTINATION "${holdfast_package_dir}")
 if(HOLDFAST_WITH_CHOLMOD)

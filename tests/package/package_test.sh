@@ -54,6 +54,10 @@ if grep -rnF -e "$source/core/" -e "$source/widgets/" -e "$build/core" -e "$buil
   "$prefix" --include="*.cmake"; then
   fail "the installed package refers to the source tree it was built from"
 fi
+# The pages lie beside what they link to.
+for file in README.md CHANGELOG.md CONTRIBUTING.md LICENSE docs/library.md data/README.md examples/deform_files.cpp; do
+  [ -f "$prefix/share/holdfast/$file" ] || fail "the installed pages lack $file"
+done
 "$prefix/bin/holdfast-batch" deform "$source/data/bracket.obj" --quiet \
   --constraints "$source/data/bracket.constraints.json" --out "$work/expected.obj"
 echo '{"format": "holdfast-constraints", "version": 1, "constraints": []}' >"$work/nothing.json"
@@ -107,17 +111,21 @@ status=0
 { [ "$status" -eq 4 ] && grep -q "; disable " "$work/conflicts.txt"; } || fail "read_conflicts finds no conflict"
 "$examples/read_conflicts" "$source/data/bracket.obj" "$source/data/bracket.constraints.json" || fail "read_conflicts finds one too many"
 
-# refuse_components WORDS LANGUAGES COMPONENTS
-refuse_components() {
-  printf 'cmake_minimum_required(VERSION 3.25)\nproject(refused %s)\nfind_package(holdfast REQUIRED COMPONENTS %s)\n' \
+# refuse_package WORDS LANGUAGES ARGUMENTS: what find_package(holdfast ARGUMENTS) refuses with these words.
+refuse_package() {
+  printf 'cmake_minimum_required(VERSION 3.25)\nproject(refused %s)\nfind_package(holdfast %s)\n' \
     "$2" "$3" >"$work/CMakeLists.txt"
   rm -rf "$work/build"
   expect_refused "$1" build_project "$work"
 }
 
-refuse_components "This holdfast has no nonesuch" CXX "core nonesuch"
+refuse_package "This holdfast has no nonesuch" CXX "REQUIRED COMPONENTS core nonesuch"
+# Each major version is asked for by its number. README asks for the present one.
+for version in 0.1 2.0; do
+  refuse_package "compatible with requested version \"$version\"" CXX "$version REQUIRED"
+done
 case $layers in *" widgets "*)
-  refuse_components "project(... LANGUAGES C CXX)" CXX widgets
+  refuse_package "project(... LANGUAGES C CXX)" CXX "REQUIRED COMPONENTS widgets"
   headers_alone widgets -e
   "$examples/vtk_pipeline" "$source/data/bracket.obj" "$source/data/bracket.constraints.json" "$work/pipeline.vtp" ||
     fail "vtk_pipeline does not deform the bracket"
