@@ -8,7 +8,9 @@
 /// A model is made of a mesh (`mesh.h`), which comes from memory or from a file (`mesh_file.h`). Constraints are values
 /// (`constraint.h`), or come from a file (`constraint_file.h`). The function `deform` (`deform.h`) deforms once. A
 /// `Deformer` (`deformer.h`) deforms again and again. The report (`report.h`) names the constraints that repeat others
-/// and those that conflict. `fields.h` gives residuals, rotations and displacements as numbers over the vertices.
+/// and those that conflict, and `report_json.h` makes files of it. `fields.h` gives residuals, rotations and
+/// displacements as numbers over the vertices. Wrong input throws what `error.h` has. Long work tells how far it is
+/// through `progress.h`.
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/progress.h>
