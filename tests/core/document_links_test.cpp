@@ -1,4 +1,4 @@
-// The pages of the project: where their links lead, and the version that they name.
+// Links of the project's pages lead somewhere, and the pages name the version of the program.
 
 #include <algorithm>
 #include <cctype>
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// The lines of a page without those of its fenced blocks, whose brackets are those of programs.
+/// Returns the lines of a page without its fenced blocks, whose brackets are those of programs.
 std::vector<std::string> proseOf(const std::string& page)
 {
   std::vector<std::string> lines;
@@ -38,7 +38,7 @@ std::vector<std::string> proseOf(const std::string& page)
   return lines;
 }
 
-/// The name by which links call a heading: small letters, blanks as "-", no other punctuation.
+/// Returns the name by which links call a heading: small letters, blanks as "-", no other punctuation.
 std::string anchorOfHeading(const std::string& heading)
 {
   std::string anchor;
@@ -61,7 +61,7 @@ std::set<std::string> anchorsOf(const std::string& page)
   return anchors;
 }
 
-/// Targets of links to files and headings. Those of other sites are left out.
+/// Returns the targets of links to files and headings. It leaves out links to other sites.
 std::vector<std::string> relativeLinksOf(const std::string& page)
 {
   const std::regex link(R"(\]\(([^)\s]+)\))");
@@ -72,7 +72,7 @@ std::vector<std::string> relativeLinksOf(const std::string& page)
   return targets;
 }
 
-/// Those links of a page that lead nowhere, each as "file: link".
+/// Returns the links of a page that lead nowhere, each as "file: link".
 std::vector<std::string> brokenLinksOf(const fs::path& file)
 {
   std::vector<std::string> broken;
@@ -118,7 +118,7 @@ TEST(DocumentLinksMustFail, ForAFileOrAHeadingThatIsNotThere)
                                                "page.md: #not-a-heading"));
 }
 
-/// What a pattern's group holds in a file of the project; empty where the file has no such words.
+/// Returns what the group of a pattern holds in a file of the project, or nothing where no words match.
 std::string wordsOf(const std::string& file, const std::string& pattern)
 {
   const std::string text = test::bytesOf(test::sourceFolder() + "/" + file);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kCallers = 4;
 
-/// All that a call computes. The report's times are left out.
+/// This is what a call computes, without the times of the report.
 struct Computed {
   Positions positions;
   Columns3 rotations;
@@ -51,8 +51,8 @@ std::shared_ptr<const Model> modelOfAPlate()
   return std::make_shared<const Model>(makeModel(test::plate(40, 30)));
 }
 
-/// Each caller has targets of its own. Places by `near` and by an edge need what the model makes when it is first
-/// asked.
+/// Returns constraints with targets of the caller's own. The `near` place needs a search structure, which the model
+/// makes when it is first asked.
 ConstraintList listOfCaller(std::size_t caller)
 {
   const double share = 0.1 * static_cast<double>(1 + caller);
@@ -74,7 +74,7 @@ DeformOptions optionsOfCaller(std::size_t caller)
   return options;
 }
 
-/// What one caller computes of a model: by the function, by the diagnosis, and by a deformer that shares it.
+/// Returns what a caller computes of a model: by the function, by the diagnosis, and by a deformer that shares it.
 std::vector<Computed> computedBy(std::size_t caller, const std::shared_ptr<const Model>& model)
 {
   ConstraintList list = listOfCaller(caller);
