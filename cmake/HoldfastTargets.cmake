@@ -40,7 +40,7 @@ function(holdfast_add_layer name root)
   add_library(holdfast::${name} ALIAS holdfast_${name})
   target_sources(holdfast_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${root}" FILES ${headers})
   set_target_properties(holdfast_${name} PROPERTIES EXPORT_NAME ${name}
-    VERSION "${PROJECT_VERSION}" SOVERSION "${PROJECT_VERSION_MAJOR}")
+    VERSION "${PROJECT_VERSION}" SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
   holdfast_configure(holdfast_${name})
 
   add_library(holdfast_${name}_headers_alone INTERFACE)
