@@ -62,7 +62,7 @@ std::optional<WholeMotion> motionOf(const ConstraintSystem& system, const RowLis
   whole.part = part;
   TargetMotion& motion = whole.motion;
   const Vector3 q = rotationLog(fit.R);
-  motion.degrees = angleDegrees(q);
+  motion.degrees = holdfast::angleDegrees(q);
   motion.axis = q.stableNormalized();
   Vector3 from;
   Vector3 to;
