@@ -2,12 +2,12 @@
 # Runs once a night what takes too long for every change: the tests of label `nightly` (meshes that are no part of the
 # project, the tour of the window, the core alone with all its tests), the experiments of docs/paper.md, what other
 # versions of VTK, Qt and Mesa may do differently on both Debians, each source compiled alone and read by clang-tidy,
-# the window and the workers under sanitizers, the batch program under valgrind, and the benchmarks. It installs what is
-# missing first (apt). It goes on after a failure, says at the end which parts failed and how long each took, and ends
-# with 1 if any did.
+# the core, the window and the workers under sanitizers, the batch program under valgrind, and the benchmarks. It
+# installs what is missing first (apt). It goes on after a failure, says at the end which parts failed and how long each
+# took, and ends with 1 if any did.
 # docs/testing.md says more.
-#   scripts/nightly.sh [PART...]      PART: tests, paper, bookworm, trixie, sources, lint, window, threads,
-#                                     threads-window, valgrind, benchmarks; all if left out
+#   scripts/nightly.sh [PART...]      PART: tests, paper, bookworm, trixie, sources, lint, sanitizers, window,
+#                                     threads, threads-window, valgrind, benchmarks; all if left out
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . scripts/lib/packages.sh
@@ -34,6 +34,8 @@ run_lint() {
   install_packages clang-format clang-tidy
   scripts/lint.sh || [ $? -eq 77 ]
 }
+# Addresses, leaks and undefined behaviour of core and batch.
+run_sanitizers() { scripts/sanitize.sh; }
 run_window() { scripts/sanitize.sh --window; }
 run_threads() { scripts/sanitize.sh --threads; }
 run_threads_window() { scripts/sanitize.sh --threads --window; }
@@ -57,7 +59,7 @@ run_valgrind() {
 by_version='^widgets/FilteredGrid|^render/|^window/PictureOfBar|^window/DocumentExports'
 
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(tests paper bookworm trixie sources lint window threads threads-window valgrind benchmarks)
+[ ${#parts[@]} -gt 0 ] || parts=(tests paper bookworm trixie sources lint sanitizers window threads threads-window valgrind benchmarks)
 failed=0
 summary=()
 for part in "${parts[@]}"; do
