@@ -2,15 +2,9 @@
 /// These edits add lines for the normals that a file gets besides its own, and set the references to them.
 
 #include <holdfast/io/formats/stored_normals.h>
+#include <holdfast/io/formats/text_edit.h>
 
 namespace holdfast {
-
-/// `replacement` takes the place of `size` bytes from `offset` on.
-struct TextEdit {
-  std::size_t offset = 0;
-  std::size_t size = 0;
-  std::string replacement;
-};
 
 /// Returns the edits that put `update.added` into the text, in ascending order. The line of an added normal stands
 /// behind the last line of a normal before the first face with it. References count on over new lines above them, so

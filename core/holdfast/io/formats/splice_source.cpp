@@ -5,29 +5,11 @@
 #include <holdfast/io/formats/added_normals.h>
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/formats/stored_normals.h>
+#include <holdfast/io/formats/text_edit.h>
 #include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
 namespace {
-
-/// Copies a file with other texts in some places, which come in ascending order.
-class Splicer {
- public:
-  explicit Splicer(std::string_view bytes) : bytes_(bytes) { result_.reserve(bytes.size()); }
-
-  void replace(std::size_t offset, std::size_t size, std::string_view replacement)
-  {
-    result_.append(bytes_.substr(copied_, offset - copied_)).append(replacement);
-    copied_ = offset + size;
-  }
-
-  std::string finish() { return std::move(result_.append(bytes_.substr(copied_))); }
-
- private:
-  std::string_view bytes_;
-  std::string result_;
-  std::size_t copied_ = 0;
-};
 
 class SpliceSource final : public MeshSource {
  public:
