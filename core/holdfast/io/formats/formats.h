@@ -25,6 +25,12 @@ namespace holdfast {
 /// may have payloads of as many bytes as their attributes say.
 [[nodiscard]] MeshDocument readStl(std::string bytes, const std::string& file);
 
+/// Reads XML PolyData of VTK (VTP) in each of its encodings. Its polygons are the faces, those of all pieces one after
+/// the other, and behind them the triangles of its strips. Throws also where the file has steps of time, and where an
+/// array is not whole. All arrays together take no more bytes than the file has, so that memory is bounded by what
+/// compression explains. O(bytes, uncompressed).
+[[nodiscard]] MeshDocument readVtp(std::string bytes, const std::string& file);
+
 /// Throws the `InputError` of `readStl` where `head` shows already that the file cannot be STL. `head` is the beginning
 /// of a file of `size` bytes. O(size of `head`).
 void checkStlHead(std::string_view head, std::uintmax_t size, const std::string& file);
@@ -33,13 +39,20 @@ void checkStlHead(std::string_view head, std::uintmax_t size, const std::string&
 /// PLY. O(size of `head`).
 void checkPlyHead(std::string_view head, const std::string& file);
 
+/// Throws an `InputError` where `head`, the beginning of a file, shows already that the file cannot be VTP. O(size of
+/// `head`).
+void checkVtpHead(std::string_view head, const std::string& file);
+
 /// These functions make files of the faces of `rest` and of other positions alone. PLY is binary little-endian with
 /// doubles. STL is binary. It has the triangles that `triangulate` makes of `rest`, which are those that the solver
-/// sees. Notes say what was rounded and split. Every face of `rest` has three corners or more.
+/// sees. VTP is appended raw binary with doubles, legacy VTK (.vtk) is binary with doubles. Notes say what was rounded
+/// and split. Every face of `rest` has three corners or more.
 [[nodiscard]] Serialized writeObj(const Mesh& rest, const Positions& positions);
 [[nodiscard]] Serialized writeOff(const Mesh& rest, const Positions& positions);
 [[nodiscard]] Serialized writePly(const Mesh& rest, const Positions& positions);
 [[nodiscard]] Serialized writeStl(const Mesh& rest, const Positions& positions);
+[[nodiscard]] Serialized writeVtp(const Mesh& rest, const Positions& positions);
+[[nodiscard]] Serialized writeVtk(const Mesh& rest, const Positions& positions);
 
 /// Returns what STL holds of `positions`, and adds a note on what it loses. Throws `OutputError` where a coordinate is
 /// too large for a float.
