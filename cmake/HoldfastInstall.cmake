@@ -37,6 +37,7 @@ configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/holdfast-config.cmake.i
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/holdfast-config-version.cmake" COMPATIBILITY SameMajorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/holdfast-config.cmake" "${PROJECT_BINARY_DIR}/holdfast-config-version.cmake"
   DESTINATION "${holdfast_package_dir}")
+install(FILES "${CMAKE_CURRENT_LIST_DIR}/FindLZ4.cmake" DESTINATION "${holdfast_package_dir}")
 if(HOLDFAST_WITH_CHOLMOD)
   install(FILES "${CMAKE_CURRENT_LIST_DIR}/FindSuiteSparse.cmake" DESTINATION "${holdfast_package_dir}")
 endif()

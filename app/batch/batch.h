@@ -2,15 +2,12 @@
 /// Reads what holdfast-batch is asked for, does it, and says what came of it.
 
 #include <functional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include <holdfast/deform/deform.h>
 #include <holdfast/document/session_file.h>
-#include <holdfast/io/mesh_document.h>
-#include <holdfast/mesh/field.h>
 
 namespace holdfast::batch {
 
@@ -52,7 +49,7 @@ enum ExitCode : int { kAllMet = 0, kUsage = 2, kInput = 3, kConflicts = 4, kNume
 /// one name or an output has the name of an input.
 [[nodiscard]] std::function<ExitCode()> parseCommandLine(int argc, const char* const* argv);
 
-/// Returns the extensions that this build reads, as one text for people: ".obj, .ply, ...".
+/// Returns the extensions of meshes that are read, as one text for people: ".obj, .ply, ...".
 [[nodiscard]] std::string knownFormats();
 /// Returns the values of `--color-by` in the same way. The text is empty in a build without VTK.
 [[nodiscard]] std::string knownColorings();
@@ -63,13 +60,7 @@ void requireFormats(const Command& command);
 /// Throws `OutputError` if no picture can be drawn here. This takes about a tenth of a second.
 void requireDisplay(const PictureRequest& picture);
 
-[[nodiscard]] MeshDocument readMeshFile(const std::string& path);
-
-/// Returns the bytes of a mesh file. The next two functions return the bytes of fields over `mesh` at `positions`
-/// (VTP), and of a picture (PNG). All three throw `OutputError`.
-[[nodiscard]] Serialized serializeMeshFile(const MeshDocument& document, const Positions& positions,
-                                           const std::string& path);
-[[nodiscard]] Serialized serializeFields(const Mesh& mesh, const Positions& positions, std::span<const Field> fields);
+/// Returns the bytes of a picture (PNG). Throws `OutputError`.
 [[nodiscard]] std::string snapshot(const PictureRequest& picture, const Model& model, const DeformResult& deformation,
                                    const std::string& units);
 

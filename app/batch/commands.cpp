@@ -12,7 +12,9 @@
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/report_json.h>
+#include <holdfast/io/field_file.h>
 #include <holdfast/io/files/output_file.h>
+#include <holdfast/io/mesh_file.h>
 #include <holdfast/mesh/labels.h>
 
 #include "batch/batch.h"
@@ -145,7 +147,7 @@ Outputs writeAll(const Command& command, const MeshDocument& document, const std
   }
   if (isSolved && !command.fields.empty()) {
     progress.step("writing fields");
-    addNoted(outputs, command.fields, serializeFields(model.mesh, deformation.positions, fieldsOf(model, deformation)));
+    addNoted(outputs, command.fields, fieldsToVtp(model.mesh, deformation.positions, fieldsOf(model, deformation), {}));
   }
   if (isSolved && !command.picture.path.empty()) {
     progress.step("drawing the picture");
@@ -161,7 +163,7 @@ ExitCode deformWith(const Command& command, Progress& progress)
   const DeformOptions options = chosenOptions(command, ofSession);
   probeOutputs(command);
   progress.step(fmt::format("reading {}", printable(command.mesh)));
-  const MeshDocument document = readMeshFile(command.mesh);
+  const MeshDocument document = readMesh(command.mesh);
   progress.step(fmt::format("checking {} vertices", document.mesh.vertexCount()));
   const Model model = makeModelOfFile(document, command.mesh, options.weldTolerance);
   DeformResult deformation = deform(model, constraints, command.constraints, options, progress);
@@ -179,7 +181,7 @@ ExitCode deformWith(const Command& command, Progress& progress)
 
 ExitCode runCheck(const Command& command)
 {
-  const MeshDocument document = readMeshFile(command.mesh);
+  const MeshDocument document = readMesh(command.mesh);
   refuseNonFinite(command, document.mesh);
   StatedConstraints stated;
   if (!command.constraints.empty()) stated = readStatedConstraints(command.constraints, command.badRows);

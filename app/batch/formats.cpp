@@ -10,8 +10,6 @@
 
 #include "batch/batch.h"
 #ifdef HOLDFAST_WITH_VTK
-#include <holdfast/widgets/files/any_mesh_file.h>
-#include <holdfast/widgets/files/poly_data_file.h>
 #include <holdfast/widgets/scene/display_check.h>
 #include <holdfast/widgets/scene/scene.h>
 #endif
@@ -58,29 +56,9 @@ PictureSize sizeOf(std::string_view text)
   return {*width, *height};
 }
 
-#endif
-
-}  // namespace
-
-#ifdef HOLDFAST_WITH_VTK
-
-std::string knownFormats()
+void requirePicture(const PictureRequest& picture)
 {
-  return fmt::format("{}", fmt::join(anyMeshExtensions(), ", "));
-}
-
-std::string knownColorings()
-{
-  return fmt::format("{}", fmt::join(colorByNames(), ", "));
-}
-
-void requireFormats(const Command& command)
-{
-  const auto& [path, colorBy, size] = command.picture;
-  requireMeshExtension("--out", command.out, anyOutputExtensions());
-  if (!command.fields.empty() && extensionOf(command.fields) != ".vtp")
-    throw UsageError(fmt::format("--fields: \"{}\" does not end in .vtp", printable(command.fields)));
-  if (path.empty()) return;
+  const auto& [path, colorBy, size] = picture;
   if (extensionOf(path) != ".png")
     throw UsageError(fmt::format("--snapshot: \"{}\" does not end in .png", printable(path)));
   if (!colorByNamed(colorBy))
@@ -88,24 +66,40 @@ void requireFormats(const Command& command)
   static_cast<void>(sizeOf(size));
 }
 
+#else
+
+void requirePicture(const PictureRequest& picture)
+{
+  throw UsageError("--snapshot: there is no VTK to draw \"" + picture.path + "\" with; leave the option out");
+}
+
+#endif
+
+}  // namespace
+
+std::string knownFormats()
+{
+  return fmt::format("{}", fmt::join(meshExtensions(), ", "));
+}
+
+void requireFormats(const Command& command)
+{
+  requireMeshExtension("--out", command.out, outputExtensions());
+  if (!command.fields.empty() && extensionOf(command.fields) != ".vtp")
+    throw UsageError(fmt::format("--fields: \"{}\" does not end in .vtp", printable(command.fields)));
+  if (!command.picture.path.empty()) requirePicture(command.picture);
+}
+
+#ifdef HOLDFAST_WITH_VTK
+
+std::string knownColorings()
+{
+  return fmt::format("{}", fmt::join(colorByNames(), ", "));
+}
+
 void requireDisplay(const PictureRequest& picture)
 {
   if (const std::string reason = whyNoPictures(); !reason.empty()) throw OutputError(picture.path, reason);
-}
-
-MeshDocument readMeshFile(const std::string& path)
-{
-  return readAnyMesh(path);
-}
-
-Serialized serializeMeshFile(const MeshDocument& document, const Positions& positions, const std::string& path)
-{
-  return serializeAnyMesh(document, positions, path);
-}
-
-Serialized serializeFields(const Mesh& mesh, const Positions& positions, std::span<const Field> fields)
-{
-  return fieldsToVtp(mesh, positions, fields, {});
 }
 
 std::string snapshot(const PictureRequest& picture, const Model& model, const DeformResult& deformation,
@@ -118,48 +112,13 @@ std::string snapshot(const PictureRequest& picture, const Model& model, const De
 
 #else
 
-std::string knownFormats()
-{
-  return fmt::format("{}", fmt::join(meshExtensions(), ", "));
-}
-
 std::string knownColorings()
 {
   return {};
 }
 
-void requireFormats(const Command& command)
-{
-#ifdef HOLDFAST_VTK_PROGRAM
-  requireMeshExtension("mesh", command.mesh, meshExtensions());
-#endif
-  requireMeshExtension("--out", command.out, meshExtensions());
-  if (!command.fields.empty())
-    throw UsageError("--fields: there is no VTK to write \"" + command.fields + "\" with; leave the option out");
-  if (!command.picture.path.empty())
-    throw UsageError("--snapshot: there is no VTK to draw \"" + command.picture.path + "\" with; leave the option out");
-}
-
-MeshDocument readMeshFile(const std::string& path)
-{
-  return readMesh(path);
-}
-
-Serialized serializeMeshFile(const MeshDocument& document, const Positions& positions, const std::string& path)
-{
-  try {
-    return serializeMesh(document, positions, extensionOf(path));
-  } catch (const OutputError& error) {
-    throw OutputError(path, error.reason());
-  }
-}
-
 // Options that ask for these are refused.
 void requireDisplay(const PictureRequest& /*picture*/) {}
-Serialized serializeFields(const Mesh& /*mesh*/, const Positions& /*positions*/, std::span<const Field> /*fields*/)
-{
-  return {};
-}
 std::string snapshot(const PictureRequest& /*picture*/, const Model& /*model*/, const DeformResult& /*deformation*/,
                      const std::string& /*units*/)
 {

@@ -44,8 +44,8 @@ bool isLackOfMemory(const std::exception& error)
   return system != nullptr && system->code() == std::errc::resource_unavailable_try_again;
 }
 
-/// Goes on as the program beside this one that has VTK: it knows more formats and options. Returns where it is not
-/// there, or is this one.
+/// Goes on as the program beside this one that has VTK: it draws pictures, and its help lists their colours. Returns
+/// where it is not there, or is this one.
 void handOver([[maybe_unused]] char** argv)
 {
 #ifdef HOLDFAST_VTK_PROGRAM

@@ -9,8 +9,8 @@
 /// (`constraint.h`), or come from a file (`constraint_file.h`). The function `deform` (`deform.h`) deforms once. A
 /// `Deformer` (`deformer.h`) deforms again and again. The report (`report.h`) names the constraints that repeat others
 /// and those that conflict, and `report_json.h` makes files of it. `fields.h` gives residuals, rotations and
-/// displacements as numbers over the vertices. Wrong input throws what `error.h` has. Long work tells how far it is
-/// through `progress.h`.
+/// displacements as numbers over the vertices, and `field_file.h` writes them. Wrong input throws what `error.h` has.
+/// Long work tells how far it is through `progress.h`.
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/progress.h>
@@ -22,6 +22,7 @@
 #include <holdfast/deform/model.h>
 #include <holdfast/deform/report.h>
 #include <holdfast/deform/report_json.h>
+#include <holdfast/io/field_file.h>
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/mesh/mesh.h>
 #include <holdfast/version.h>

@@ -3,6 +3,7 @@
 holdfast_packages=(
   g++ cmake ninja-build ccache
   libeigen3-dev libsuitesparse-dev libopenblas0-pthread
+  libexpat1-dev zlib1g-dev liblz4-dev liblzma-dev
   nlohmann-json3-dev libfmt-dev libcli11-dev
   libvtk9-dev libvtk9-qt-dev qtbase5-dev
   libgtest-dev libgmock-dev liblapacke-dev libbenchmark-dev libmumps-seq-dev

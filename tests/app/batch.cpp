@@ -68,17 +68,16 @@ BatchTest::BatchTest()
 std::vector<std::string> BatchTest::deform(const std::string& meshPath, const std::string& constraintPath,
                                            const std::vector<std::string>& more) const
 {
-  std::vector<std::string> arguments{"deform", meshPath,          "--constraints", constraintPath,
-                                     "--out",  output("out.obj"), "--report",      output("report.json")};
-  if (kHasVtk) arguments.insert(arguments.end(), {"--fields", output("fields.vtp")});
+  std::vector<std::string> arguments{
+      "deform",          meshPath,   "--constraints",       constraintPath, "--out",
+      output("out.obj"), "--report", output("report.json"), "--fields",     output("fields.vtp")};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
 
 std::vector<std::string> BatchTest::allOutputs()
 {
-  if (kHasVtk) return {"fields.vtp", "out.obj", "report.json"};
-  return {"out.obj", "report.json"};
+  return {"fields.vtp", "out.obj", "report.json"};
 }
 
 void BatchTest::expectRefusedWithoutTrace(const std::vector<std::string>& arguments, int code,

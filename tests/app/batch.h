@@ -41,7 +41,7 @@ class BatchTest : public testing::Test {
   [[nodiscard]] const std::string& constraints() const { return constraints_; }
   [[nodiscard]] std::string output(const std::string& name) const { return (out_.path() / name).string(); }
 
-  /// `deform` with all outputs that this build can write: out.obj, report.json, fields.vtp.
+  /// `deform` with all outputs but a picture: out.obj, report.json, fields.vtp.
   [[nodiscard]] std::vector<std::string> deform(const std::string& meshPath, const std::string& constraintPath,
                                                 const std::vector<std::string>& more = {}) const;
   /// The names of those outputs, sorted.

@@ -245,7 +245,6 @@ TEST_F(LongWork, TerminationWhileOutputsAreWrittenLeavesEachOldOrWhole)
 
 TEST_F(LongWork, WhatIsLeftByAProgramThatWasKilledIsRemovedByTheNext)
 {
-  if (!kHasVtk) GTEST_SKIP() << "there is one stage of writing, and nothing is aside when it begins";
   ProcessOptions options;
   options.signal = SIGKILL;
   options.signalAt = "writing fields";

@@ -124,6 +124,35 @@ endloop endfacet
 ENDSOLID
 )";
 
+constexpr const char* kVtpText = R"(<?xml version="1.0"?>
+<!-- as a program wrote it -->
+<VTKFile type='PolyData' version="0.1" byte_order = "LittleEndian">
+  <PolyData>
+    <FieldData><DataArray type="String" Name="author" NumberOfTuples="1" format="ascii">65 0</DataArray></FieldData>
+    <Piece NumberOfPoints="5" NumberOfVerts="1" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="2">
+      <Points>
+        <DataArray type="Float64" Name="Points" NumberOfComponents="3" format="ascii">
+          <InformationKey name="kept" location="here"/>
+          @ @ @   @ @ @
+          @	@ @
+          @ @ @ @ @ @
+        </DataArray>
+      </Points>
+      <PointData Normals="n">
+        <DataArray type="Float32" Name="n" NumberOfComponents="3">0 0 1 0 0 1 0 0 1.0 0 0 1 0 0 1</DataArray>
+        <DataArray type="Int8" Name="label" format="ascii">1 2 3 4 5</DataArray>
+      </PointData>
+      <CellData><DataArray type="Bit" Name="chosen" format="ascii">1 0 1</DataArray></CellData>
+      <Verts><DataArray type="Int32" Name="connectivity">4</DataArray><DataArray type="Int32" Name="offsets">1</DataArray></Verts>
+      <Polys>
+        <DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 3  1 4 2</DataArray>
+        <DataArray type="Int64" Name="offsets" format="ascii">4 7</DataArray>
+      </Polys>
+    </Piece>
+  </PolyData>
+</VTKFile>
+)";
+
 std::string spelled(double value, Spelling spelling)
 {
   std::array<char, 64> text{};
@@ -212,6 +241,37 @@ std::string binaryPlyStrips(const Positions& positions, Spelling spelling, Order
   return bytes;
 }
 
+/// Arrays before and behind the points in appended data; unused elements of no cells, whose offsets follow too.
+std::string appendedVtp(const Positions& positions, Spelling spelling, Order order)
+{
+  const bool isFloat = spelling == Spelling::AsRead;
+  std::string blocks;
+  const auto offsetOf = [&](const std::string& data) {
+    const std::size_t offset = blocks.size();
+    blocks += raw(static_cast<std::uint32_t>(data.size()), order) + data;
+    return "format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>";
+  };
+  std::string normals;
+  std::string coordinates;
+  for (Index v = 0; v < positions.rows(); ++v) {
+    normals += raw(0.0, order) + raw(0.0, order) + raw(1.0, order);
+    for (Index k = 0; k < 3; ++k)
+      coordinates += isFloat ? raw(static_cast<float>(positions(v, k)), order) : raw(positions(v, k), order);
+  }
+  std::string corners;
+  for (const std::int32_t corner : {0, 1, 2, 3, 1, 4, 2}) corners += raw(corner, order);
+  std::string xml = std::string("<VTKFile type=\"PolyData\" byte_order=\"") +
+                    (order == Order::kLittle ? "Little" : "Big") +
+                    "Endian\"><PolyData><Piece NumberOfPoints=\"5\" NumberOfPolys=\"2\" NumberOfLines=\"0\">\n";
+  xml += "<PointData><DataArray type=\"Float64\" Name=\"Normals\" NumberOfComponents=\"3\" " + offsetOf(normals);
+  xml += std::string("</PointData>\n<Points><DataArray type=\"") + (isFloat ? "Float32" : "Float64") +
+         "\" NumberOfComponents=\"3\" " + offsetOf(coordinates) + "</Points>\n";
+  xml += "<Lines><DataArray type=\"Int32\" Name=\"connectivity\" " + offsetOf("") + "</Lines>\n";
+  xml += "<Polys><DataArray type=\"Int32\" Name=\"connectivity\" " + offsetOf(corners);
+  xml += "<DataArray type=\"UInt8\" Name=\"offsets\" " + offsetOf("\4\7") + "</Polys>\n";
+  return xml + "</Piece></PolyData><AppendedData encoding=\"raw\"> _" + blocks + "</AppendedData></VTKFile>";
+}
+
 std::string binaryStl(const Positions& positions)
 {
   std::string bytes = "solid, and yet binary";
@@ -283,6 +343,13 @@ MeshExample plyStrips(const std::string& name, Order order)
   return example;
 }
 
+MeshExample vtp(const std::string& name, Order order)
+{
+  MeshExample example = shared(name, ".vtp");
+  example.bytes = [=](const Positions& p, Spelling spelling) { return appendedVtp(p, spelling, order); };
+  return example;
+}
+
 std::vector<MeshExample> makeExamples()
 {
   std::vector<MeshExample> examples{
@@ -307,6 +374,10 @@ std::vector<MeshExample> makeExamples()
       windowsText(strips("PlyStripsTextWindows"), kPlyStripsText),
       plyStrips("PlyStripsLittle", Order::kLittle),
       plyStrips("PlyStripsBig", Order::kBig),
+      text(shared("VtpText", ".vtp"), kVtpText),
+      windowsText(shared("VtpTextWindows", ".vtp"), kVtpText),
+      vtp("VtpLittle", Order::kLittle),
+      vtp("VtpBig", Order::kBig),
       text(soup("StlText"), kStlText),
       windowsText(soup("StlTextWindows"), kStlText),
       soup("StlBinary"),

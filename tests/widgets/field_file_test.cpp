@@ -8,10 +8,8 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataReader.h>
 
-#include <holdfast/widgets/files/any_mesh_file.h>
-#include <holdfast/widgets/files/poly_data_file.h>
+#include <holdfast/io/field_file.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 #include "support/meshes.h"
@@ -20,14 +18,7 @@
 namespace holdfast {
 namespace {
 
-vtkSmartPointer<vtkPolyData> readByVtk(const std::string& bytes)
-{
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(bytes);
-  reader->Update();
-  return reader->GetOutput();
-}
+using test::readByVtk;
 
 std::vector<double> valuesOf(vtkDataSetAttributes& attributes, const char* name)
 {
@@ -54,14 +45,22 @@ TEST(FieldFile, LeavesFacesOfFewCornersOut)
   EXPECT_EQ(polygonsOf(*readByVtk(fieldsToVtp(mesh, mesh.positions, {}, {}).bytes), "fields.vtp"), surface);
 }
 
-TEST(AnyMeshFile, VtkGetsNoFacesOfFewCornersAndANoteSaysSo)
+TEST(FieldFile, LeavesOutTheValuesOfSuchFaces)
 {
-  Mesh mesh = test::tetrahedron();
+  Mesh mesh{test::tetrahedron().positions, {}};
   mesh.faces.add({0, 1});
-  for (const char* name : {"a.vtp", "a.vtk", "a.ply"})
-    EXPECT_THAT(serializeAnyMesh({mesh, nullptr}, mesh.positions, name).notes,
-                testing::ElementsAre("1 face of fewer than three corners left behind"))
-        << name;
+  mesh.faces.add({0, 1, 2});
+  const Field area{"area", 2, {1, 2, 3, 4}};
+  const auto result = readByVtk(fieldsToVtp(mesh, mesh.positions, {}, std::vector{area}).bytes);
+  EXPECT_EQ(valuesOf(*result->GetCellData(), "area"), (std::vector<double>{3, 4}));
+}
+
+TEST(FieldFile, NamesMayHaveLettersThatMeanSomethingToXml)
+{
+  const Mesh mesh = test::tetrahedron();
+  const Field odd{"a<b & \"c\" 'd'>", 1, {1, 2, 3, 4}};
+  const auto result = readByVtk(fieldsToVtp(mesh, mesh.positions, std::vector{odd}, {}).bytes);
+  EXPECT_EQ(valuesOf(*result->GetPointData(), odd.name.c_str()), odd.values);
 }
 
 TEST(FieldFile, KeepsEveryNumberOfItsFields)

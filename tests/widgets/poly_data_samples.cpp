@@ -4,7 +4,9 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <sstream>
 
+#include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -14,6 +16,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+#include <vtkXMLPolyDataReader.h>
 
 #include <holdfast/widgets/mesh/poly_data.h>
 
@@ -39,6 +42,42 @@ vtkSmartPointer<vtkCellArray> oneCell(std::initializer_list<vtkIdType> ids)
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   cells->InsertNextCell(ids);
   return cells;
+}
+
+std::string textOf(vtkAbstractArray* array)
+{
+  if (array == nullptr) return "none";
+  std::ostringstream text;
+  text << (array->GetName() == nullptr ? "" : array->GetName()) << ' ' << array->GetClassName() << ' '
+       << array->GetNumberOfComponents();
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    text << ' ' << (array->GetComponentName(c) == nullptr ? "-" : array->GetComponentName(c));
+  text.precision(17);
+  for (vtkIdType k = 0; k < array->GetNumberOfValues(); ++k) text << ' ' << array->GetVariantValue(k).ToString();
+  return text.str() + "\n";
+}
+
+std::string textOf(vtkFieldData& fields)
+{
+  std::string text;
+  for (int k = 0; k < fields.GetNumberOfArrays(); ++k) text += textOf(fields.GetAbstractArray(k));
+  if (auto* attributes = vtkDataSetAttributes::SafeDownCast(&fields))
+    for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+      text += textOf(attributes->GetAbstractAttribute(type));
+  return text;
+}
+
+std::string textOf(vtkCellArray& cells)
+{
+  std::string text;
+  for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell) {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cells.GetCellAtId(cell, count, ids);
+    for (vtkIdType k = 0; k < count; ++k) text += std::to_string(ids[k]) + " ";
+    text += "\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -80,6 +119,22 @@ vtkSmartPointer<vtkPolyData> richPolyData()
   author->InsertNextValue("somebody");
   polyData->GetFieldData()->AddArray(author);
   return polyData;
+}
+
+std::string textOfRest(vtkPolyData& polyData)
+{
+  return textOf(*polyData.GetVerts()) + textOf(*polyData.GetLines()) + textOf(*polyData.GetStrips()) +
+         textOf(*polyData.GetPolys()) + textOf(*polyData.GetPointData()) + textOf(*polyData.GetCellData()) +
+         textOf(*polyData.GetFieldData());
+}
+
+vtkSmartPointer<vtkPolyData> readByVtk(const std::string& bytes)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(bytes);
+  reader->Update();
+  return reader->GetOutput();
 }
 
 }  // namespace holdfast::test

@@ -2,6 +2,8 @@
 /// \file
 /// Files of VTK's formats for tests.
 
+#include <string>
+
 #include <vtkSmartPointer.h>
 
 #include <holdfast/mesh/mesh.h>
@@ -21,5 +23,11 @@ namespace holdfast::test {
 /// A surface with everything that a file of VTK's may hold besides: a vertex and a line cell, polygons of 3, 4 and 5
 /// corners, two scalar arrays and a vector array of the points, ids of the cells, a string of the whole.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> richPolyData();
+
+/// All arrays and cells of a surface as text, its points aside. What differs in a value, a type or a name differs here.
+[[nodiscard]] std::string textOfRest(vtkPolyData& polyData);
+
+/// The surface in the bytes of a .vtp file as VTK's own reader sees it.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> readByVtk(const std::string& bytes);
 
 }  // namespace holdfast::test

@@ -12,8 +12,8 @@
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/report_json.h>
-#include <holdfast/widgets/files/any_mesh_file.h>
-#include <holdfast/widgets/files/poly_data_file.h>
+#include <holdfast/io/field_file.h>
+#include <holdfast/io/mesh_file.h>
 #include <holdfast/window/files/document_exports.h>
 
 #include "dialogs.h"
@@ -55,7 +55,7 @@ TEST_F(DocumentExportsTest, AMeshReadsBackBitForBit)
   const DialogAnswer answer("messageBox", [](QDialog& box) { test::clickButton(box, "OK"); });
   exports.exportMesh();
   ASSERT_TRUE(test::waitUntil([&] { return answer.isGiven() || !exports.isWriting(); }));
-  EXPECT_EQ(readAnyMesh(w.path("out.ply")).mesh.positions, w.editor.positions());
+  EXPECT_EQ(readMesh(w.path("out.ply")).mesh.positions, w.editor.positions());
   EXPECT_TRUE(w.questions[0].suggestion.endsWith("/bracket.deformed.obj")) << w.questions[0].suggestion.toStdString();
   EXPECT_EQ(w.questions[0].filters[0], "OBJ (*.obj)") << "the format of the mesh is proposed";
 }
@@ -114,7 +114,7 @@ TEST_F(DocumentExportsTest, ResultsThatAreOlderThanTheConstraintsAreOnlyWrittenW
   const DialogAnswer answer("messageBox", [](QDialog& box) { test::clickButton(box, "goOn"); });
   exports.exportMesh();
   ASSERT_TRUE(test::waitUntil([&] { return fs::exists(w.path("out.obj")); }));
-  EXPECT_EQ(readAnyMesh(w.path("out.obj")).mesh.positions, shown);
+  EXPECT_EQ(readMesh(w.path("out.obj")).mesh.positions, shown);
 }
 
 TEST_F(DocumentExportsTest, FieldsAreThoseOfTheDeformation)

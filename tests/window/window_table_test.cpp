@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <holdfast/base/same_bits.h>
-#include <holdfast/widgets/files/any_mesh_file.h>
+#include <holdfast/io/mesh_file.h>
 #include <holdfast/window/table/constraint_table_model.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -102,11 +102,11 @@ TEST_F(TypedTarget, IsInTheSavedSessionToTheLastBit)
 TEST_F(TypedTarget, IsInTheDeformedMeshToTheLastBit)
 {
   const auto path = folder.path() / "deformed.obj";
-  const Serialized written = serializeAnyMesh(editor().mesh().document, editor().positions(), path);
+  const Serialized written = serializeMeshFile(editor().mesh().document, editor().positions(), path);
   const auto plain = plainVertices(written.bytes);
   ASSERT_EQ(static_cast<Index>(plain.size()), editor().model()->mesh.vertexCount());
   expectTyped(plain[static_cast<std::size_t>(vertex)], "as C reads it");
-  const Positions again = readAnyMesh(folder.file("deformed.obj", written.bytes)).mesh.positions;
+  const Positions again = readMesh(folder.file("deformed.obj", written.bytes)).mesh.positions;
   expectTyped(again.row(vertex).transpose(), "read again");
   EXPECT_EQ(again, editor().positions());
 }

@@ -37,18 +37,42 @@ BlockCheck checkStl(const std::string& file, std::uintmax_t size)
   return checkHead([file, size](std::string_view head) { checkStlHead(head, size, file); });
 }
 
+BlockCheck checkVtp(const std::string& file, std::uintmax_t /*size*/)
+{
+  return checkHead([file](std::string_view head) { checkVtpHead(head, file); });
+}
+
 struct Format {
   std::string_view extension;
-  MeshDocument (*read)(std::string bytes, const std::string& file);
-  Serialized (*write)(const Mesh& rest, const Positions& positions);
-  BlockCheck (*check)(const std::string& file, std::uintmax_t size);
+  MeshDocument (*read)(std::string bytes, const std::string& file);             ///< null: it is written alone
+  Serialized (*write)(const Mesh& rest, const Positions& positions);            ///< null: it is read alone
+  BlockCheck (*check)(const std::string& file, std::uintmax_t size) = nullptr;  ///< of files that are read
+  std::string_view whyUnread = {};                                              ///< the message where `read` is null
 };
 
-constexpr std::array kFormats{Format{".obj", readObj, writeObj, checkText}, Format{".ply", readPly, writePly, checkPly},
-                              Format{".off", readOff, writeOff, checkText},
-                              Format{".stl", readStl, writeStl, checkStl}};
+constexpr std::array kFormats{
+    Format{".obj", readObj, writeObj, checkText},
+    Format{".ply", readPly, writePly, checkPly},
+    Format{".off", readOff, writeOff, checkText},
+    Format{".stl", readStl, writeStl, checkStl},
+    Format{".vtp", readVtp, writeVtp, checkVtp},
+    Format{".vtk", nullptr, writeVtk, nullptr,
+           "legacy VTK files (.vtk) are not read: save it as .vtp, for example in ParaView (Save Data)"}};
 
-constexpr std::array<std::string_view, kFormats.size()> kExtensions{".obj", ".ply", ".off", ".stl"};
+/// The extensions of the formats that have `member`, a reader or a writer.
+template <auto member>
+constexpr auto extensionsWith()
+{
+  constexpr auto hasMember = [](const Format& format) { return format.*member != nullptr; };
+  std::array<std::string_view, std::ranges::count_if(kFormats, hasMember)> extensions;
+  auto next = extensions.begin();
+  for (const Format& format : kFormats)
+    if (hasMember(format)) *next++ = format.extension;
+  return extensions;
+}
+
+constexpr auto kReadExtensions = extensionsWith<&Format::read>();
+constexpr auto kWrittenExtensions = extensionsWith<&Format::write>();
 
 /// The format of `extension` in any case, or null.
 const Format* findFormat(std::string_view extension)
@@ -75,20 +99,30 @@ std::string unknownFormat(std::string_view extension, std::span<const std::strin
   return fmt::format("{}: use {}", what, fmt::join(known, ", "));
 }
 
+std::string whyUnread(const Format* format, std::string_view extension)
+{
+  return format == nullptr ? unknownFormat(extension, kReadExtensions) : std::string(format->whyUnread);
+}
+
 }  // namespace
 
 std::span<const std::string_view> meshExtensions()
 {
-  return kExtensions;
+  return kReadExtensions;
 }
 
-MeshDocument readMesh(const std::filesystem::path& path, std::span<const std::string_view> known)
+std::span<const std::string_view> outputExtensions()
+{
+  return kWrittenExtensions;
+}
+
+MeshDocument readMesh(const std::filesystem::path& path)
 {
   const std::string extension = path.extension().string();
   const Format* const format = findFormat(extension);
-  if (format == nullptr) {
+  if (format == nullptr || format->read == nullptr) {
     static_cast<void>(readFileBytes(path, [&](std::string_view /*block*/) {
-      throw InputError({path.string(), 0, {}}, unknownFormat(extension, known));
+      throw InputError({path.string(), 0, {}}, whyUnread(format, extension));
     }));
     return {};
   }
@@ -101,9 +135,9 @@ Serialized serializeMesh(const MeshDocument& document, const Positions& position
 {
   assert(positions.rows() == document.mesh.vertexCount());
   const Format* const format = findFormat(extension);
-  if (format == nullptr)
+  if (format == nullptr || format->write == nullptr)
     throw OutputError(extension.empty() ? "(no extension)" : std::string(extension),
-                      unknownFormat(extension, kExtensions));
+                      unknownFormat(extension, kWrittenExtensions));
   const Positions stated = withStatedPlaces(document.mesh.positions, positions);
   if (document.source && document.source->extension() == format->extension)
     return document.source->withPositions(document.mesh, stated);
@@ -115,10 +149,20 @@ Serialized serializeMesh(const MeshDocument& document, const Positions& position
   return result;
 }
 
+Serialized serializeMeshFile(const MeshDocument& document, const Positions& positions,
+                             const std::filesystem::path& path)
+{
+  try {
+    return serializeMesh(document, positions, path.extension().string());
+  } catch (const OutputError& error) {
+    throw OutputError(path.string(), error.reason());
+  }
+}
+
 std::vector<std::string> writeMesh(const std::filesystem::path& path, const MeshDocument& document,
                                    const Positions& positions)
 {
-  Serialized file = serializeMesh(document, positions, path.extension().string());
+  Serialized file = serializeMeshFile(document, positions, path);
   OutputFile(path, file.bytes).commit();
   return std::move(file.notes);
 }

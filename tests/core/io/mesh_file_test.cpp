@@ -48,7 +48,7 @@ TEST_F(MeshFile, AMeshMadeInMemorySurvivesEveryFormatThatHoldsDoubles)
   Mesh mesh = test::icosphere(2);
   mesh.positions *= 1.0 / 3.0;
   mesh.faces.add({0, 1, 2, 3, 4});
-  for (const std::string extension : {".obj", ".ply", ".off"}) {
+  for (const std::string extension : {".obj", ".ply", ".off", ".vtp"}) {
     const Serialized written = serializeMesh({mesh, nullptr}, mesh.positions, extension);
     const MeshDocument again = readBack(written, extension);
     EXPECT_EQ(again.mesh.positions, mesh.positions) << extension;
@@ -154,7 +154,7 @@ TEST_F(MeshFile, FacesOfFewCornersStayInTheirFormatAndAreLeftBehindInOthers)
   const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\nf 3\n";
   const MeshDocument document = readMesh(folder_.file("a.obj", text));
   EXPECT_EQ(document.mesh.faces.size(), 3);
-  for (const std::string extension : {".ply", ".off", ".stl"}) {
+  for (const std::string extension : {".ply", ".off", ".stl", ".vtp"}) {
     const Serialized written = serializeMesh(document, document.mesh.positions, extension);
     EXPECT_EQ(readBack(written, extension).mesh.faces.size(), 1) << extension;
     EXPECT_THAT(written.notes, ElementsAre("2 faces of fewer than three corners left behind"));
@@ -214,7 +214,8 @@ TEST_F(MeshFile, TheExtensionCountsInAnyCase)
 TEST_F(MeshFile, TextsAreToldFromBinaryFiles)
 {
   const Mesh mesh = test::tetrahedron();
-  for (const auto& [extension, isText] : {std::pair(".obj", true), {".off", true}, {".ply", false}, {".stl", false}})
+  for (const auto& [extension, isText] :
+       {std::pair(".obj", true), {".off", true}, {".ply", false}, {".stl", false}, {".vtp", false}})
     EXPECT_EQ(readBack(serializeMesh({mesh, nullptr}, mesh.positions, extension), extension).source->isText(), isText)
         << extension;
 }
@@ -222,7 +223,8 @@ TEST_F(MeshFile, TextsAreToldFromBinaryFiles)
 TEST_F(MeshFile, EveryKnownExtensionIsReadAndWritten)
 {
   const Mesh mesh = test::tetrahedron();
-  EXPECT_THAT(meshExtensions(), ElementsAre(".obj", ".ply", ".off", ".stl"));
+  EXPECT_THAT(meshExtensions(), ElementsAre(".obj", ".ply", ".off", ".stl", ".vtp"));
+  EXPECT_THAT(outputExtensions(), ElementsAre(".obj", ".ply", ".off", ".stl", ".vtp", ".vtk"));
   for (const std::string_view extension : meshExtensions()) {
     const MeshDocument document =
         readBack(serializeMesh({mesh, nullptr}, mesh.positions, extension), std::string(extension));
@@ -234,13 +236,39 @@ TEST_F(MeshFile, EveryKnownExtensionIsReadAndWritten)
 TEST_F(MeshFile, AnUnknownExtensionIsRefusedWithThoseThatAreKnown)
 {
   EXPECT_EQ(refusal(folder_.file("a.xyz", "1")),
-            "'.xyz' is not a mesh format that is known here: use .obj, .ply, .off, .stl");
+            "'.xyz' is not a mesh format that is known here: use .obj, .ply, .off, .stl, .vtp");
   const Mesh mesh = test::tetrahedron();
   try {
     static_cast<void>(serializeMesh({mesh, nullptr}, mesh.positions, ""));
     ADD_FAILURE() << "was written";
   } catch (const OutputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("a name without an extension says no mesh format: use .obj, .ply, .off, .stl"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("a name without an extension says no mesh format: use .obj, .ply, .off, .stl, .vtp, .vtk"));
+  }
+}
+
+TEST_F(MeshFile, LegacyVtkFilesAreWrittenAlone)
+{
+  for (const std::string name : {"mesh.vtk", "mesh.VTK"})
+    EXPECT_EQ(refusal(folder_.file(name, "# vtk DataFile Version 3.0\n")),
+              "legacy VTK files (.vtk) are not read: save it as .vtp, for example in ParaView (Save Data)");
+  EXPECT_THAT(refusal(folder_.path() / "none.vtk"), HasSubstr("there is no such file: "));
+  Mesh mesh = test::tetrahedron();
+  mesh.faces.add({0, 1});
+  const Serialized written = serializeMesh({mesh, nullptr}, mesh.positions, ".VTK");
+  EXPECT_THAT(written.bytes, testing::StartsWith("# vtk DataFile Version 3.0\nHoldfast\nBINARY\nDATASET POLYDATA\n"
+                                                 "POINTS 4 double\n"));
+  EXPECT_THAT(written.notes, ElementsAre("1 face of fewer than three corners left behind"));
+}
+
+TEST_F(MeshFile, ErrorsOfOutputsNameTheFile)
+{
+  const Mesh mesh = test::tetrahedron();
+  try {
+    static_cast<void>(serializeMeshFile({mesh, nullptr}, mesh.positions * 1e300, "out/a.stl"));
+    ADD_FAILURE() << "was written";
+  } catch (const OutputError& error) {
+    EXPECT_EQ(error.path(), "out/a.stl");
   }
 }
 

@@ -18,6 +18,7 @@ MeshDocument read(const std::string& extension, const std::string& bytes)
   if (extension == ".obj") return readObj(bytes, "fuzzed");
   if (extension == ".off") return readOff(bytes, "fuzzed");
   if (extension == ".ply") return readPly(bytes, "fuzzed");
+  if (extension == ".vtp") return readVtp(bytes, "fuzzed");
   return readStl(bytes, "fuzzed");
 }
 

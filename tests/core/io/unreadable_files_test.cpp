@@ -50,7 +50,8 @@ class UnreadableFiles : public testing::Test {
 const std::vector<std::pair<std::string, std::string>> kTexts{{".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
                                                               {".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
                                                               {".ply", "ply\nformat ascii 1.0\n"},
-                                                              {".stl", "solid a\nendsolid a\n"}};
+                                                              {".stl", "solid a\nendsolid a\n"},
+                                                              {".vtp", "<?xml version=\"1.0\"?>\n"}};
 
 TEST_F(UnreadableFiles, WideTextIsNamed)
 {
@@ -83,6 +84,7 @@ TEST_F(UnreadableFiles, GigabytesOfZerosTakeNoMemory)
   EXPECT_THAT(refusal(sparse("zeros.off", "", kTwoGigabytes)), HasSubstr("byte 0: zero bytes begin here"));
   EXPECT_THAT(refusal(sparse("zeros.ply", "", kTwoGigabytes)), HasSubstr("not with 'ply'"));
   EXPECT_THAT(refusal(sparse("zeros.stl", "", kTwoGigabytes)), HasSubstr("byte 80: zero bytes begin here"));
+  EXPECT_THAT(refusal(sparse("zeros.vtp", "", kTwoGigabytes)), HasSubstr("it does not begin with '<'"));
   EXPECT_THAT(refusal(sparse("zeros.xyz", "", kTwoGigabytes)), HasSubstr("not a mesh format"));
   EXPECT_LT(mostMemory() - before, kSmall);
 }

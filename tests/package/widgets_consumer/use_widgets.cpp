@@ -2,17 +2,15 @@
 #include <fstream>
 
 #include <holdfast/holdfast.h>
-#include <holdfast/widgets/files/any_mesh_file.h>
-#include <holdfast/widgets/files/poly_data_file.h>
 
 /// Deforms the bracket, writes fields over it, and expects to read the deformed positions from that file.
 int main()
 {
-  const holdfast::Model model = holdfast::makeModel(holdfast::readAnyMesh("bracket.obj").mesh, "bracket.obj");
+  const holdfast::Model model = holdfast::makeModel(holdfast::readMesh("bracket.obj").mesh, "bracket.obj");
   const holdfast::ConstraintList constraints = holdfast::readConstraints("bracket.constraints.json");
   const holdfast::DeformResult result = holdfast::deform(model, constraints);
   const std::vector<holdfast::Field> fields = holdfast::fieldsOf(model, result);
   std::ofstream("fields.vtp") << holdfast::fieldsToVtp(model.mesh, result.positions, fields, {}).bytes;
-  const holdfast::Positions written = holdfast::readAnyMesh("fields.vtp").mesh.positions;
+  const holdfast::Positions written = holdfast::readMesh("fields.vtp").mesh.positions;
   return written == result.positions && written != model.mesh.positions ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -14,8 +14,8 @@
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/color/scalar_legend.h>
-#include <holdfast/widgets/files/vtk_error_log.h>
 #include <holdfast/widgets/scene/lighting.h>
+#include <holdfast/widgets/scene/vtk_error_log.h>
 
 namespace holdfast {
 namespace {

@@ -21,10 +21,10 @@
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/report_json.h>
+#include <holdfast/io/field_file.h>
 #include <holdfast/io/files/output_file.h>
+#include <holdfast/io/mesh_file.h>
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/widgets/files/any_mesh_file.h>
-#include <holdfast/widgets/files/poly_data_file.h>
 #include <holdfast/widgets/scene/scene.h>
 #include <holdfast/window/controls/offscreen_window.h>
 #include <holdfast/window/controls/open_dialog.h>
@@ -165,7 +165,7 @@ void DocumentExports::exportMesh()
        [document = editor_.mesh().document, model = editor_.model(), deformation = editor_.deformation()](
            const std::string& path, Progress& progress) {
          progress.step("writing the mesh");
-         Made file{serializeAnyMesh(document, deformation->positions, path)};
+         Made file{serializeMeshFile(document, deformation->positions, path)};
          Report report = deformation->report;
          const std::optional<Positions>& stored = file.contents.stored;
          if (stored && setStoredResiduals(report, *deformation, *stored, model->solverMesh.weld))

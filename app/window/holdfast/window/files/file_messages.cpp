@@ -6,7 +6,7 @@
 
 #include <holdfast/base/available_memory.h>
 #include <holdfast/base/error.h>
-#include <holdfast/widgets/files/any_mesh_file.h>
+#include <holdfast/io/mesh_file.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -153,7 +153,7 @@ QString chooseFile(QWidget* window, const FileQuestion& question)
 QString formatsText()
 {
   QStringList known{".holdfast"};
-  for (const std::string_view extension : anyMeshExtensions()) known << toText(extension);
+  for (const std::string_view extension : meshExtensions()) known << toText(extension);
   return QObject::tr("Sessions and meshes are %1.").arg(known.join(", "));
 }
 
@@ -161,7 +161,7 @@ QStringList meshFilters()
 {
   QStringList all;
   QStringList each;
-  for (const std::string_view extension : anyMeshExtensions()) {
+  for (const std::string_view extension : meshExtensions()) {
     const QString name = toText(extension).mid(1);
     all << "*." + name;
     each << QString("%1 (*.%2)").arg(name.toUpper(), name);

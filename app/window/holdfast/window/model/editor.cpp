@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/background_threads.h>
-#include <holdfast/widgets/files/any_mesh_file.h>
+#include <holdfast/io/mesh_file.h>
 #include <holdfast/widgets/mesh/coarse_surface.h>
 
 namespace holdfast {
@@ -52,7 +52,7 @@ bool hasSinglePrecision(const Positions& positions, bool isText)
 LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress, double weldTolerance)
 {
   progress.step(fmt::format("reading {}", path.filename().string()));
-  return prepareMesh(readAnyMesh(path), path, progress, weldTolerance);
+  return prepareMesh(readMesh(path), path, progress, weldTolerance);
 }
 
 LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress,

@@ -43,7 +43,7 @@ struct LoadedMesh {
   double weldTolerance = 0;                       ///< within which vertices of `model` are one
 };
 
-/// Reads a mesh file and prepares it. Throws as `readAnyMesh` and `makeModel` do, and what `progress` throws.
+/// Reads a mesh file and prepares it. Throws as `readMesh` and `makeModel` do, and what `progress` throws.
 [[nodiscard]] LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress, double weldTolerance = 0);
 
 /// Prepares a mesh that is in memory; `path` names it. Throws as `makeModel` does, and what `progress` throws.

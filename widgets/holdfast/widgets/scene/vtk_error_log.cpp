@@ -1,4 +1,4 @@
-#include "holdfast/widgets/files/vtk_error_log.h"
+#include "holdfast/widgets/scene/vtk_error_log.h"
 
 #include <mutex>
 #include <string_view>
