@@ -14,7 +14,7 @@
 
 namespace holdfast {
 
-/// A VTP file as it stands: its bytes, what its XML says, and how it stores its blocks.
+/// A VTP file is its bytes, the tree of its XML, and the way in which it stores blocks.
 struct VtpFile {
   std::string bytes;
   XmlElement root;
@@ -25,18 +25,18 @@ struct VtpFile {
   [[nodiscard]] std::string_view appended() const { return std::string_view(bytes).substr(appendedPlace); }
 };
 
-/// A type of numbers, by its name in files.
+/// A type of numbers has a name in files.
 struct VtpType {
   std::string_view name;
   std::size_t size = 0;  ///< bytes of a number
   bool isWhole = false;
   std::string (*dataOfText)(std::string_view text) = nullptr;
-  /// Convert data. These are null for bits and texts.
+  /// These two convert data. They are null for bits and texts.
   std::vector<double> (*doubles)(std::string_view data) = nullptr;
   std::vector<Index> (*indices)(std::string_view data) = nullptr;
 };
 
-/// The numbers of an array.
+/// An array holds what its element says, as data of one type.
 struct VtpArray {
   const VtpType* type = nullptr;
   Index components = 1;  ///< of a tuple
@@ -59,8 +59,8 @@ struct VtpArray {
 /// Returns the block of an array in appended data. Throws `VtpFault` where the file has none there.
 [[nodiscard]] VtpBlock appendedBlock(const XmlElement& element, const VtpFile& file);
 
-/// Reads arrays of one file. All arrays together take no more of its bytes than there are. Memory is therefore bounded
-/// by what compression explains, also where several arrays name one block.
+/// A reader reads arrays of one file. All arrays together take no more of its bytes than there are. Memory is therefore
+/// bounded by what compression explains, also where several arrays name one block.
 class VtpArrayReader {
  public:
   /// `file` outlives this.
@@ -80,7 +80,7 @@ class VtpArrayReader {
   std::uint64_t bytesLeft_;
 };
 
-/// A number type that can hold coordinates and normals of a file.
+/// Coordinates and normals of a file are written as one of these types.
 enum class VtpReal { Float32, Float64 };
 
 /// Returns `values` as data in this byte order.

@@ -1,6 +1,6 @@
 #pragma once
-/// A VTP file stores the numbers of an array in a block: how many bytes they are, then the bytes, which may be
-/// compressed in parts (VTK File Formats, "XML File Formats").
+/// A VTP file stores the numbers of an array in a block. The block says how many bytes follow, and has these bytes.
+/// They may be compressed in parts (VTK File Formats, "XML File Formats").
 
 #include <bit>
 #include <cstdint>
@@ -13,20 +13,20 @@
 
 namespace holdfast {
 
-/// The way in which a file stores its blocks.
+/// An encoding says how a file stores its blocks.
 struct VtpEncoding {
   std::endian order = std::endian::little;
   bool hasLongHeaders = false;                  ///< sizes take eight bytes each, not four
   const BlockCompressor* compressor = nullptr;  ///< null where nothing is compressed
 };
 
-/// A fault of an array. The caller knows its element and adds the place.
+/// This is thrown for a fault of an array. The caller knows its element and adds the place.
 class VtpFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Bytes of a file, plain or as base64 text.
+/// Encoded bytes are bytes of a file, plain or as base64 text.
 class EncodedBytes {
  public:
   EncodedBytes(std::string_view text, bool isBase64) : text_(text), isBase64_(isBase64) {}
@@ -45,7 +45,7 @@ class EncodedBytes {
   bool isBase64_;
 };
 
-/// A block as a file has it.
+/// A block is a part of a file, whose sizes have been read.
 class VtpBlock {
  public:
   /// Reads the sizes at the beginning of `text`, which outlives this. Throws `VtpFault` where they claim more than the

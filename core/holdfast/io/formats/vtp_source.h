@@ -1,6 +1,6 @@
 #pragma once
-/// A source that writes a VTP file again: the bytes that were read, with other numbers in the arrays of points and of
-/// stored normals.
+/// A source writes a VTP file again. It copies the bytes that were read, with other numbers in the arrays of points and
+/// of stored normals.
 
 #include <memory>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace holdfast {
 
-/// What a piece of a file has to do with the mesh. Elements are those of the file.
+/// A piece of a file tells where its points and polygons are in the mesh. Its elements are those of the file.
 struct VtpPiece {
   const XmlElement* points = nullptr;
   const XmlElement* pointNormals = nullptr;  ///< null where none are stored in a type that can hold them
@@ -19,7 +19,7 @@ struct VtpPiece {
   Index pointCount = 0;
   Index firstFace = 0;  ///< the face of its first polygon
   Index polygonCount = 0;
-  Index firstPolygon = 0;  ///< the cell of its first polygon: vertices and lines come before
+  Index firstPolygon = 0;  ///< the cell that is its first polygon, behind vertices and lines
 };
 
 /// Makes the source of a mesh that was read from the `pieces` of `file`. `notesOfMotion` are said where a vertex moves.

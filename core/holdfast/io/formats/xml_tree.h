@@ -14,7 +14,7 @@
 
 namespace holdfast {
 
-/// A run of text between tags. Comments and references divide it.
+/// A run of text stands between tags. Comments and references divide it.
 struct XmlText {
   std::size_t place = 0;  ///< the byte of the file at which it begins
   std::size_t size = 0;   ///< how many bytes of the file it takes
@@ -26,7 +26,7 @@ struct XmlText {
   }
 };
 
-/// An element with all that is in it. References are resolved.
+/// An element holds all that is in it. References are resolved.
 struct XmlElement {
   std::string name;
   std::size_t place = 0;                                       ///< the byte of the file at which its first tag begins
