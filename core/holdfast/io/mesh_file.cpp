@@ -60,19 +60,13 @@ constexpr std::array kFormats{
            "legacy VTK files (.vtk) are not read: save it as .vtp, for example in ParaView (Save Data)"}};
 
 /// The extensions of the formats that have `member`, a reader or a writer.
-template <auto member>
-constexpr auto extensionsWith()
+std::vector<std::string_view> extensionsWith(auto Format::*member)
 {
-  constexpr auto hasMember = [](const Format& format) { return format.*member != nullptr; };
-  std::array<std::string_view, std::ranges::count_if(kFormats, hasMember)> extensions;
-  auto next = extensions.begin();
+  std::vector<std::string_view> extensions;
   for (const Format& format : kFormats)
-    if (hasMember(format)) *next++ = format.extension;
+    if (format.*member != nullptr) extensions.push_back(format.extension);
   return extensions;
 }
-
-constexpr auto kReadExtensions = extensionsWith<&Format::read>();
-constexpr auto kWrittenExtensions = extensionsWith<&Format::write>();
 
 /// The format of `extension` in any case, or null.
 const Format* findFormat(std::string_view extension)
@@ -101,19 +95,21 @@ std::string unknownFormat(std::string_view extension, std::span<const std::strin
 
 std::string whyUnread(const Format* format, std::string_view extension)
 {
-  return format == nullptr ? unknownFormat(extension, kReadExtensions) : std::string(format->whyUnread);
+  return format == nullptr ? unknownFormat(extension, meshExtensions()) : std::string(format->whyUnread);
 }
 
 }  // namespace
 
 std::span<const std::string_view> meshExtensions()
 {
-  return kReadExtensions;
+  static const std::vector<std::string_view> extensions = extensionsWith(&Format::read);
+  return extensions;
 }
 
 std::span<const std::string_view> outputExtensions()
 {
-  return kWrittenExtensions;
+  static const std::vector<std::string_view> extensions = extensionsWith(&Format::write);
+  return extensions;
 }
 
 MeshDocument readMesh(const std::filesystem::path& path)
@@ -137,7 +133,7 @@ Serialized serializeMesh(const MeshDocument& document, const Positions& position
   const Format* const format = findFormat(extension);
   if (format == nullptr || format->write == nullptr)
     throw OutputError(extension.empty() ? "(no extension)" : std::string(extension),
-                      unknownFormat(extension, kWrittenExtensions));
+                      unknownFormat(extension, outputExtensions()));
   const Positions stated = withStatedPlaces(document.mesh.positions, positions);
   if (document.source && document.source->extension() == format->extension)
     return document.source->withPositions(document.mesh, stated);
