@@ -14,7 +14,6 @@ namespace holdfast {
 namespace {
 
 using test::replaced;
-using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -209,7 +208,7 @@ TEST(VtpReader, NamesElementsThatAreNestedTooDeep)
 {
   std::string deep;
   for (int k = 0; k < 500000; ++k) deep += "<a>";
-  EXPECT_THAT(faultOf(deep), AllOf(HasSubstr("f.vtp:1: "), HasSubstr("nested too deep")));
+  EXPECT_THAT(faultOf(deep), testing::AllOf(HasSubstr("f.vtp:1: "), HasSubstr("nested too deep")));
 }
 
 TEST(VtpReader, NamesStepsOfTime)
@@ -225,7 +224,7 @@ TEST(VtpReader, NamesOtherKindsOfFiles)
   EXPECT_THAT(faultOf(R"(<VTKFile type="PolyData"></VTKFile>)"), HasSubstr("no PolyData in it"));
   EXPECT_THAT(faultOf(""), HasSubstr("no whole XML file: no element found"));
   EXPECT_THAT(faultOf("<VTKFile type=\"PolyData\">\n<PolyData></PolyDatum>"),
-              AllOf(HasSubstr("f.vtp:2: "), HasSubstr("no whole XML file: mismatched tag")));
+              testing::AllOf(HasSubstr("f.vtp:2: "), HasSubstr("no whole XML file: mismatched tag")));
 }
 
 std::string withCells(const std::string& corners, const std::string& ends)
@@ -236,8 +235,8 @@ std::string withCells(const std::string& corners, const std::string& ends)
 TEST(VtpReader, NamesThePolygonThatIsNoFace)
 {
   EXPECT_THAT(faultOf(withCells("0 1 3", "3")), HasSubstr("f.vtp:4: polygon 0: it refers to point 3, but the points"));
-  EXPECT_THAT(faultOf(withCells("0 1 -1", "3")), AllOf(HasSubstr("polygon 0"), HasSubstr("point -1")));
-  EXPECT_THAT(faultOf(withCells("0 1", "2")), AllOf(HasSubstr("polygon 0"), HasSubstr("at least 3")));
+  EXPECT_THAT(faultOf(withCells("0 1 -1", "3")), testing::AllOf(HasSubstr("polygon 0"), HasSubstr("point -1")));
+  EXPECT_THAT(faultOf(withCells("0 1", "2")), testing::AllOf(HasSubstr("polygon 0"), HasSubstr("at least 3")));
   EXPECT_THAT(faultOf(withCells("0 1 2.5", "3")), HasSubstr("'2.5'"));
 }
 
@@ -247,6 +246,9 @@ TEST(VtpReader, NamesOffsetsThatLeadNowhere)
   EXPECT_THAT(faultOf(withCells("0 1 2", "-3")), HasSubstr("the last offset is -3"));
   EXPECT_THAT(faultOf(replaced(withCells("0 1 2 0 1 2", "99 6"), "NumberOfPolys=\"1\"", "NumberOfPolys=\"2\"")),
               HasSubstr("polygon 0: it goes from corner 0 to before corner 99 of 6"));
+  EXPECT_THAT(faultOf(replaced(withCells("0 1 2 0 1 2", "3 -9223372036854775808 6"), "NumberOfPolys=\"1\"",
+                               "NumberOfPolys=\"3\"")),
+              HasSubstr("polygon 1: it goes from corner 3 to before corner -9223372036854775808 of 6"));
   EXPECT_THAT(faultOf(replaced(withCells("0 1 2 0 1 2", "-9223372036854775807 6"), "NumberOfPolys=\"1\"",
                                "NumberOfPolys=\"2\"")),
               HasSubstr("polygon 0"));
@@ -255,7 +257,7 @@ TEST(VtpReader, NamesOffsetsThatLeadNowhere)
 TEST(VtpReader, NamesCountsThatTheFileDoesNotHold)
 {
   EXPECT_THAT(faultOf(replaced(test::vtpTriangle(), "NumberOfPoints=\"3\"", "NumberOfPoints=\"-3\"")),
-              AllOf(HasSubstr("f.vtp:2: "), HasSubstr("NumberOfPoints")));
+              testing::AllOf(HasSubstr("f.vtp:2: "), HasSubstr("NumberOfPoints")));
   EXPECT_THAT(faultOf(replaced(test::vtpTriangle(), "NumberOfPoints=\"3\"", "NumberOfPoints=\"9223372036854775807\"")),
               HasSubstr("it has 3 tuples where 9223372036854775807 must be"));
 }
@@ -268,7 +270,8 @@ TEST(VtpReader, NamesASurfaceWithoutPolygons)
   EXPECT_EQ(faultOf(replaced(strip, "</Polys>", "</Strips>")), "no fault");
   const std::string flat = replaced(replaced(strip, "</Polys>", "</Strips>"), ">0 1 2<", ">0 1 0<");
   EXPECT_THAT(faultOf(flat), HasSubstr("no strip has a triangle"));
-  EXPECT_THAT(faultOf(replaced(flat, ">0 1 0<", ">0 1 77<")), AllOf(HasSubstr("strip 0"), HasSubstr("point 77")));
+  EXPECT_THAT(faultOf(replaced(flat, ">0 1 0<", ">0 1 77<")),
+              testing::AllOf(HasSubstr("strip 0"), HasSubstr("point 77")));
 }
 
 TEST(VtpReader, TrianglesOfStripsAreFacesOfOneSideAfterThePolygons)

@@ -12,7 +12,6 @@ namespace {
 
 using test::replaced;
 using test::vtpWord;
-using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -64,7 +63,7 @@ TEST(VtpSource, KeepsWhatVtkWouldLoseOrRename)
 <DataArray type="Int8" Name="T">1 2 3<InformationKey name="UNITS_LABEL" location="vtkDataArray">K</InformationKey></DataArray>
 <DataArray type="Bit" Name="T">1 0 1</DataArray></PointData>)";
   const Serialized result = lifted(test::vtpTriangle(arrays, "<!-- a word --><FieldData/>\n"));
-  EXPECT_THAT(result.bytes, AllOf(HasSubstr(arrays), HasSubstr("<!-- a word --><FieldData/>\n")));
+  EXPECT_THAT(result.bytes, testing::AllOf(HasSubstr(arrays), HasSubstr("<!-- a word --><FieldData/>\n")));
   EXPECT_THAT(result.notes, IsEmpty());
 }
 
@@ -177,8 +176,8 @@ TEST(VtpSource, StatesNewRanges)
       R"(<Value index="1">1</Value></InformationKey>)";
   const std::string plain = R"(type="Float64" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0)";
   const std::string bytes = lifted(replaced(test::vtpTriangle(), plain, stated), 2).bytes;
-  EXPECT_THAT(bytes, AllOf(HasSubstr("RangeMin=\"2\" RangeMax=\"2.23606797749979\""), HasSubstr("> 2 </Value>"),
-                           HasSubstr(">2.23606797749979</Value>")));
+  EXPECT_THAT(bytes, testing::AllOf(HasSubstr("RangeMin=\"2\" RangeMax=\"2.23606797749979\""),
+                                    HasSubstr("> 2 </Value>"), HasSubstr(">2.23606797749979</Value>")));
 }
 
 TEST(VtpSource, NormalsFollowTheFacesThatMovedOnTheSideOfTheStoredOnes)
@@ -195,7 +194,7 @@ TEST(VtpSource, NormalsFollowTheFacesThatMovedOnTheSideOfTheStoredOnes)
   upright.row(2) << 0, 0, 1;
   const Serialized result = document.source->withPositions(document.mesh, upright);
   EXPECT_THAT(result.notes, ElementsAre("3 normals of points recomputed", "1 normals of faces recomputed"));
-  EXPECT_THAT(result.bytes, AllOf(HasSubstr(">-0 1 -0 -0 1 -0 -0 1 -0<"), HasSubstr(">0 1 0 0 -1 0<")))
+  EXPECT_THAT(result.bytes, testing::AllOf(HasSubstr(">-0 1 -0 -0 1 -0 -0 1 -0<"), HasSubstr(">0 1 0 0 -1 0<")))
       << "the first cell is a line";
 }
 
@@ -210,7 +209,8 @@ TEST(VtpSource, NormalsOfPointsThatNoMovedFaceHasStay)
   positions(5, 0) = 0.5;
   const Serialized result = document.source->withPositions(document.mesh, positions);
   EXPECT_THAT(result.notes, ElementsAre("3 normals of points recomputed"));
-  EXPECT_THAT(result.bytes, AllOf(HasSubstr("0.6 0 0.80 0.6 0 0.80 0.6 0 0.80"), HasSubstr(">0 0 1 0 0 1 0 0 1<")));
+  EXPECT_THAT(result.bytes,
+              testing::AllOf(HasSubstr("0.6 0 0.80 0.6 0 0.80 0.6 0 0.80"), HasSubstr(">0 0 1 0 0 1 0 0 1<")));
 }
 
 TEST(VtpSource, NormalsOfWholeTypesStayAndANoteSaysSo)

@@ -103,7 +103,7 @@ Index bitsIn(const XmlElement& element, const VtpArray& array, std::optional<Ind
   if (formatOf(element) == "ascii") return bytes;
   const Index stated = tuples ? *tuples : wholeAttribute(element, "NumberOfTuples", -1);
   if (stated < 0) return 8 * bytes;
-  const bool isPossible = array.components <= 8 * bytes + 1 && stated <= 8 * bytes;
+  const bool isPossible = stated == 0 || array.components <= 8 * bytes / stated;
   const Index bits = isPossible ? stated * array.components : 8 * bytes + 1;
   if ((bits + 7) / 8 != bytes) throw VtpFault(fmt::format("its {} bytes do not hold {} bits", bytes, bits));
   return bits;

@@ -172,7 +172,7 @@ class VtpReader {
   void requireSoundEnds(const XmlElement& element, const CellCorners& cells, const VtpCells& kind) const
   {
     for (Index k = 0; k < cells.size(); ++k)
-      if (cells.ends[k] - cells.begin(k) < kind.leastCorners || cells.ends[k] > std::ssize(cells.corners))
+      if (cells.ends[k] < cells.begin(k) + kind.leastCorners || cells.ends[k] > std::ssize(cells.corners))
         failAt(element, file_, name_,
                fmt::format("it goes from corner {} to before corner {} of {}, and needs at least {}", cells.begin(k),
                            cells.ends[k], cells.corners.size(), kind.leastCorners),
