@@ -41,6 +41,26 @@ TEST(VtpReader, ReadsWhatItsTestsBuildOn)
   EXPECT_THAT(mesh.faces[0], ElementsAre(0, 1, 2));
 }
 
+TEST(VtpReader, TakesGlobalIdsForLabels)
+{
+  const std::string points = R"(<PointData GlobalIds="node"><DataArray type="Int64" Name="node" format="ascii">)"
+                             "70 90 80</DataArray></PointData>";
+  const std::string cells = R"(<CellData GlobalIds="element"><DataArray type="Int32" Name="element" format="ascii">)"
+                            "5</DataArray></CellData>";
+  const Mesh mesh = readVtp(test::vtpTriangle(points + cells), "f.vtp").mesh;
+  EXPECT_THAT(mesh.labels.vertices, ElementsAre(70, 90, 80));
+  EXPECT_THAT(mesh.labels.faces, ElementsAre(5));
+}
+
+TEST(VtpReader, TakesNoOtherNumbersForLabels)
+{
+  const std::string undeclared = test::vtpPointData(R"(type="Int64" Name="node" format="ascii")", "70 90 80");
+  EXPECT_THAT(readVtp(test::vtpTriangle(undeclared), "f.vtp").mesh.labels.vertices, testing::IsEmpty());
+  const std::string real = R"(<PointData GlobalIds="x"><DataArray type="Float64" Name="x" format="ascii">)"
+                           "70 90 80</DataArray></PointData>";
+  EXPECT_THAT(readVtp(test::vtpTriangle(real), "f.vtp").mesh.labels.vertices, testing::IsEmpty());
+}
+
 TEST(VtpReader, NamesTypesThatAreNotKnown)
 {
   const std::string whole =

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/same_bits.h>
 #include <holdfast/io/text/number_text.h>
 
 namespace holdfast {

@@ -110,8 +110,10 @@ class VtpReader {
       throw InputError({name_, 0, ""}, "it holds several steps of time; write one of them to a file of its own");
     for (const XmlElement& child : surface->children)
       if (child.name == "Piece" && !isEmptyPiece(child)) readPiece(child);
-    requireArrays(*surface, "FieldData", std::nullopt);
+    static_cast<void>(readArrays(*surface, "FieldData", std::nullopt));
     Mesh mesh{Eigen::Map<const Positions>(coordinates_.data(), std::ssize(coordinates_) / 3, 3), surfaceOfPieces()};
+    if (std::ssize(labels_.vertices) == mesh.vertexCount()) mesh.labels.vertices = std::move(labels_.vertices);
+    if (std::ssize(labels_.faces) == mesh.faces.size()) mesh.labels.faces = std::move(labels_.faces);
     return {std::move(mesh), makeVtpSource(std::move(file_), std::move(pieces_), std::move(notesOfMotion_))};
   }
 
@@ -135,8 +137,13 @@ class VtpReader {
     piece.polygonCount = polygons.size();
     addPolygons(element, polygons, piece);
     addStrips(element, strips, piece);
-    requireArrays(element, "PointData", piece.pointCount);
-    requireArrays(element, "CellData", piece.firstPolygon + polygons.size() + strips.size());
+    const std::vector<Index> ofPoints = readArrays(element, "PointData", piece.pointCount);
+    const Index cellCount = piece.firstPolygon + polygons.size() + strips.size();
+    const std::vector<Index> ofCells = readArrays(element, "CellData", cellCount);
+    std::ranges::copy(ofPoints, std::back_inserter(labels_.vertices));
+    if (!ofCells.empty())
+      std::ranges::copy(std::span(ofCells).subspan(piece.firstPolygon, polygons.size()),
+                        std::back_inserter(labels_.faces));
     piece.pointNormals = storedNormals(element.child("PointData"));
     piece.cellNormals = storedNormals(element.child("CellData"));
     pieces_.push_back(piece);
@@ -209,15 +216,21 @@ class VtpReader {
     }
   }
 
-  /// Each array must be whole. It is kept as it stands in the file.
-  void requireArrays(const XmlElement& parent, const char* name, std::optional<Index> tuples)
+  /// Each array must be whole. It is kept as it stands in the file. Returns the labels: the whole numbers of the array
+  /// that the file declares as global ids. Returns nothing where it declares none.
+  [[nodiscard]] std::vector<Index> readArrays(const XmlElement& parent, const char* name, std::optional<Index> tuples)
   {
     const XmlElement* const element = parent.child(name);
-    if (element == nullptr) return;
+    if (element == nullptr) return {};
+    const auto ids = element->attribute("GlobalIds");
+    std::vector<Index> labels;
     for (const XmlElement& child : element->children) {
       if (child.name != "DataArray" && child.name != "Array") fail(child, "this is no array");
-      static_cast<void>(readArray(child, tuples));
+      const VtpArray array = readArray(child, tuples);
+      if (ids && child.attribute("Name") == ids && array.isNumbers() && array.type->isWhole && array.components == 1)
+        labels = array.indices();
     }
+    return labels;
   }
 
   void requirePoints(const XmlElement& element, const CellCorners& cells, Index cell, const VtpCells& kind,
@@ -303,6 +316,7 @@ class VtpReader {
   std::vector<double> coordinates_;
   Polygons faces_;
   Polygons triangles_;  // of strips
+  Labels labels_;       // of points and of polygons, where all pieces have them
   bool hasStrips_ = false;
   bool hasNarrowPoints_ = false;
   std::vector<std::string> notesOfMotion_;
