@@ -12,10 +12,10 @@
 #include <cholmod.h>
 #include <dlfcn.h>
 
-#include <holdfast/base/cholmod_view_internal.h>
-#include <holdfast/base/one_thread_internal.h>
-#include <holdfast/base/parallel.h>
 #include <holdfast/factor/multifrontal.h>
+#include <holdfast/matrices/cholmod_view_internal.h>
+#include <holdfast/threads/one_thread_internal.h>
+#include <holdfast/threads/parallel.h>
 
 #include "bench/benchmarks.h"
 #include "bench/dragged_mesh.h"

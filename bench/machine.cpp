@@ -10,7 +10,7 @@
 #include <cblas.h>
 #include <sys/mman.h>
 
-#include <holdfast/base/parallel.h>
+#include <holdfast/threads/parallel.h>
 
 #include "bench/measure.h"
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast::bench {
 

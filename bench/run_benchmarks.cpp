@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include <holdfast/base/large_memory.h>
 #include <holdfast/io/mesh_file.h>
+#include <holdfast/memory/large_memory.h>
 
 #include "bench/bumpy_mesh.h"
 #include "bench/table_reporter.h"

@@ -5,9 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/printable.h>
-#include <holdfast/base/progress.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
@@ -16,6 +13,9 @@
 #include <holdfast/io/files/output_file.h>
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/mesh/labels.h>
+#include <holdfast/threads/progress.h>
+#include <holdfast/words/error.h>
+#include <holdfast/words/printable.h>
 
 #include "batch/batch.h"
 

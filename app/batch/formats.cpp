@@ -3,10 +3,10 @@
 
 #include <fmt/ranges.h>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/lower_case.h>
-#include <holdfast/base/printable.h>
 #include <holdfast/io/mesh_file.h>
+#include <holdfast/words/error.h>
+#include <holdfast/words/lower_case.h>
+#include <holdfast/words/printable.h>
 
 #include "batch/batch.h"
 #ifdef HOLDFAST_WITH_VTK

@@ -12,11 +12,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <holdfast/base/available_memory.h>
-#include <holdfast/base/error.h>
-#include <holdfast/base/printable.h>
 #include <holdfast/io/files/file_descriptor.h>
 #include <holdfast/io/files/output_file.h>
+#include <holdfast/memory/available_memory.h>
+#include <holdfast/words/error.h>
+#include <holdfast/words/printable.h>
 
 #include "batch/batch.h"
 

@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/ranges.h>
 
-#include <holdfast/base/printable.h>
-#include <holdfast/base/spelling.h>
 #include <holdfast/version.h>
+#include <holdfast/words/printable.h>
+#include <holdfast/words/spelling.h>
 
 #include "batch/batch.h"
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <holdfast/base/printable.h>
 #include <holdfast/deform/outcomes.h>
+#include <holdfast/words/printable.h>
 
 #include "batch/batch.h"
 

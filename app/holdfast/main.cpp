@@ -17,8 +17,8 @@
 #include <CLI/CLI.hpp>
 #include <QVTKOpenGLNativeWidget.h>
 
-#include <holdfast/base/large_memory.h>
-#include <holdfast/base/thread_priority.h>
+#include <holdfast/memory/large_memory.h>
+#include <holdfast/threads/thread_priority.h>
 #include <holdfast/version.h>
 #include <holdfast/widgets/scene/display_check.h>
 #include <holdfast/window/window/main_window.h>

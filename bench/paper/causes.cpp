@@ -6,7 +6,7 @@
 
 #include <Eigen/UmfPackSupport>
 
-#include <holdfast/base/one_thread_internal.h>
+#include <holdfast/threads/one_thread_internal.h>
 
 #include "bench/measure.h"
 #include "bench/paper/intrinsic_delaunay.h"

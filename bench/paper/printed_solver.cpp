@@ -8,8 +8,8 @@
 #include <Eigen/UmfPackSupport>
 #include <sys/resource.h>
 
-#include <holdfast/base/one_thread_internal.h>
 #include <holdfast/ordering/elimination_order.h>
+#include <holdfast/threads/one_thread_internal.h>
 
 namespace holdfast::paper {
 namespace {

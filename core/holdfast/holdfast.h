@@ -12,8 +12,6 @@
 /// displacements as numbers over the vertices, and `field_file.h` writes them. Wrong input throws what `error.h` has.
 /// Long work tells how far it is through `progress.h`.
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/progress.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/constraints/constraint.h>
 #include <holdfast/deform/deform.h>
@@ -25,4 +23,6 @@
 #include <holdfast/io/field_file.h>
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/mesh/mesh.h>
+#include <holdfast/threads/progress.h>
 #include <holdfast/version.h>
+#include <holdfast/words/error.h>

@@ -11,8 +11,8 @@
 #include <vtkWidgetEvent.h>
 #include <vtkWidgetEventTranslator.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/widgets/interaction/surface_camera_style.h>
+#include <holdfast/words/error.h>
 
 #include "interaction/call_data_log.h"
 #include "interaction/interaction_fixture.h"

@@ -11,19 +11,19 @@ failures=0
 # Sources that every layer may hold, leaks nowhere.
 plant_clean_tree() {
   local folder
-  for folder in core/holdfast/mesh core/holdfast/base widgets/holdfast/widgets/scene app/window/holdfast/window/panels app/batch; do
+  for folder in core/holdfast/mesh core/holdfast/numbers widgets/holdfast/widgets/scene app/window/holdfast/window/panels app/batch; do
     mkdir -p "$tree/$folder"
     printf '%s\n' '#include <vector>' '#include <Eigen/QR>' '#include "quaternion.h"' '#include <holdfast/mesh/mesh.h>' \
       '// #include <QWidget>' >"$tree/$folder/clean.cpp"
   done
-  sed -i '/mesh.h/d' "$tree/core/holdfast/base/clean.cpp"
+  sed -i '/mesh.h/d' "$tree/core/holdfast/numbers/clean.cpp"
   echo '#include <vtkPolyData.h>' >"$tree/widgets/holdfast/widgets/scene/actor.cpp"
   touch "$tree/core/holdfast/mesh/weld.h"
   printf '%s\n' '// Of vertices.' '#include "holdfast/mesh/weld.h"' '#include <vector>' >"$tree/core/holdfast/mesh/weld.cpp"
   echo '#include <holdfast/widgets/scene/actor.h>' >"$tree/app/batch/picture.cpp"
   mkdir "$tree/docs"
   {
-    printf '| `%s` | what is in it |\n' app/batch window/panels widgets/scene core/mesh core/base
+    printf '| `%s` | what is in it |\n' app/batch window/panels widgets/scene core/mesh core/numbers
     printf '```mermaid\n%s\n```\n' "$("$here/../../scripts/rooms.sh" "$tree")"
   } >"$tree/docs/rooms.md"
   printf '| not used | instead |\n|---|---|\n| `Oldie`, `struct Thing` | `Newcomer` |\n' >"$tree/docs/glossary.md"
@@ -88,17 +88,17 @@ expect_room_error() {
   fi
 }
 
-leak=core/holdfast/base/leak.h
+leak=core/holdfast/numbers/leak.h
 echo '#include <holdfast/mesh/mesh.h>' >"$tree/$leak"
-expect_room_error "$leak:1: core/base includes core/mesh, which does not stand below it"
+expect_room_error "$leak:1: core/numbers includes core/mesh, which does not stand below it"
 rm "$tree/$leak"
 mkdir "$tree/core/holdfast/attic"
 expect_room_error "no row for the room core/attic"
 rmdir "$tree/core/holdfast/attic"
-sed -i.whole '/core_mesh --> core_base/d; s/`core.base`/`core\/cellar`/' "$tree/docs/rooms.md"
+sed -i.whole '/core_mesh --> core_numbers/d; s/`core.numbers`/`core\/cellar`/' "$tree/docs/rooms.md"
 expect_room_error "no folder for the room core/cellar"
 mv "$tree/docs/rooms.md.whole" "$tree/docs/rooms.md"
-echo '#include <holdfast/base/types.h>' >"$tree/core/holdfast/mesh/new.h"
+echo '#include <holdfast/numbers/types.h>' >"$tree/core/holdfast/mesh/new.h"
 expect_room_error "the picture is not that of scripts/rooms.sh"
 rm "$tree/core/holdfast/mesh/new.h"
 for leak in 'Oldie a;' 'f(Oldie{});' 'struct Thing {'; do

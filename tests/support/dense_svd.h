@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast::test {
 

@@ -2,7 +2,7 @@
 /// \file
 /// Sparse matrices of random numbers.
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 #include "support/random.h"
 

@@ -16,10 +16,10 @@
 #include <vtkTypeUInt8Array.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/widgets/mesh/poly_data.h>
+#include <holdfast/words/error.h>
 
 #include "support/meshes.h"
 #include "support/random.h"

@@ -9,8 +9,8 @@
 #include <QToolTip>
 #include <set>
 
-#include <holdfast/base/same_bits.h>
 #include <holdfast/deform/deform_details.h>
+#include <holdfast/numbers/same_bits.h>
 #include <holdfast/window/model/constraint_actions.h>
 
 #include "sheet_panel.h"

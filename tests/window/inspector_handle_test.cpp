@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <numeric>
 
-#include <holdfast/base/same_bits.h>
+#include <holdfast/numbers/same_bits.h>
 
 #include "inspected_sheet.h"
 #include "open_document.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/base/same_bits.h>
+#include <holdfast/numbers/same_bits.h>
 
 #include "inspected_sheet.h"
 #include "open_document.h"

@@ -11,8 +11,8 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 
-#include <holdfast/base/large_memory.h>
-#include <holdfast/base/thread_priority.h>
+#include <holdfast/memory/large_memory.h>
+#include <holdfast/threads/thread_priority.h>
 
 namespace holdfast::test {
 

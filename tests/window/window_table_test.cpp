@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <holdfast/base/same_bits.h>
 #include <holdfast/io/mesh_file.h>
+#include <holdfast/numbers/same_bits.h>
 #include <holdfast/window/table/constraint_table_model.h>
 #include <holdfast/window/text/number_text.h>
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast {
 

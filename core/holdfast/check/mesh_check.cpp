@@ -8,11 +8,11 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include <holdfast/base/disjoint_sets.h>
-#include <holdfast/base/parallel.h>
 #include <holdfast/mesh/edges.h>
 #include <holdfast/mesh/near_pairs.h>
 #include <holdfast/mesh/stated_places.h>
+#include <holdfast/numbers/disjoint_sets.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

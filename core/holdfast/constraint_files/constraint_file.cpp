@@ -2,9 +2,9 @@
 
 #include <map>
 
-#include <holdfast/base/lower_case.h>
 #include <holdfast/constraint_files/constraint_file_internal.h>
 #include <holdfast/io/files/file_bytes.h>
+#include <holdfast/words/lower_case.h>
 
 namespace holdfast {
 namespace {

@@ -2,9 +2,9 @@
 #include <cassert>
 #include <limits>
 
-#include <holdfast/base/spelling.h>
 #include <holdfast/constraint_files/constraint_file_internal.h>
 #include <holdfast/io/text/number_text.h>
+#include <holdfast/words/spelling.h>
 
 namespace holdfast {
 namespace {

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <holdfast/base/lower_case.h>
-#include <holdfast/base/printable.h>
-#include <holdfast/base/spelling.h>
 #include <holdfast/constraint_files/point_table_format_internal.h>
+#include <holdfast/words/lower_case.h>
+#include <holdfast/words/printable.h>
+#include <holdfast/words/spelling.h>
 
 namespace holdfast {
 namespace {

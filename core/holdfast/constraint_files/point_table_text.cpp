@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <holdfast/base/lower_case.h>
 #include <holdfast/constraint_files/point_table_format_internal.h>
+#include <holdfast/words/lower_case.h>
 
 namespace holdfast {
 namespace {

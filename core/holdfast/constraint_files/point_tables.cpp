@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/printable.h>
 #include <holdfast/constraint_files/constraint_file_internal.h>
 #include <holdfast/constraint_files/point_table_format_internal.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

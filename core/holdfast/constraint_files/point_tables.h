@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraints/constraint.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 

@@ -1,6 +1,6 @@
 #include "holdfast/constraints/constraint.h"
 
-#include <holdfast/base/same_bits.h>
+#include <holdfast/numbers/same_bits.h>
 
 namespace holdfast {
 

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/disjoint_sets.h>
-#include <holdfast/base/printable.h>
 #include <holdfast/constraints/handle_motion.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/mesh/index_lists.h>
+#include <holdfast/numbers/disjoint_sets.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

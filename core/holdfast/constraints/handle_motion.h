@@ -9,8 +9,8 @@
 
 #include <Eigen/Geometry>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraints/constraint.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 

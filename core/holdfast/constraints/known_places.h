@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include <holdfast/base/term.h>
 #include <holdfast/constraints/near_places.h>
 #include <holdfast/constraints/selection.h>
+#include <holdfast/numbers/term.h>
 #include <holdfast/surface/surface_location.h>
 
 namespace holdfast {

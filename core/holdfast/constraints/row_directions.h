@@ -1,7 +1,7 @@
 #pragma once
 /// The directions in which a row of B x = d holds.
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast {
 

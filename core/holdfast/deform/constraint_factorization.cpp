@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <atomic>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/operators/model_size.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

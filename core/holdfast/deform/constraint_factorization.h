@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include <holdfast/base/long_step.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/deform/forces.h>
 #include <holdfast/deform/rotation_factorization.h>
@@ -13,6 +12,7 @@
 #include <holdfast/rotation/rotation_energy.h>
 #include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/moved_solutions.h>
+#include <holdfast/threads/long_step.h>
 
 namespace holdfast {
 

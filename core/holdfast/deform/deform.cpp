@@ -1,10 +1,10 @@
 #include "holdfast/deform/deform.h"
 
-#include <holdfast/base/available_memory.h>
 #include <holdfast/deform/deformer.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/place_findings.h>
 #include <holdfast/deform/rotation_factorization.h>
+#include <holdfast/memory/available_memory.h>
 #include <holdfast/rotation/decided_rotations.h>
 #include <holdfast/surface/surface_locator.h>
 #include <holdfast/verdict/result_check.h>

@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 
-#include <holdfast/base/progress.h>
 #include <holdfast/constraints/constraint.h>
 #include <holdfast/deform/model.h>
 #include <holdfast/deform/report.h>
+#include <holdfast/threads/progress.h>
 
 namespace holdfast {
 

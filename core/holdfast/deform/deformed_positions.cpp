@@ -1,6 +1,6 @@
 #include "holdfast/deform/deformed_positions.h"
 
-#include <holdfast/base/parallel.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

@@ -7,14 +7,14 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/stopwatch.h>
 #include <holdfast/deform/factor_store.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/place_findings.h>
 #include <holdfast/deform/solved_frame.h>
 #include <holdfast/surface/surface_locator.h>
+#include <holdfast/threads/stopwatch.h>
 #include <holdfast/verdict/result_check.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 

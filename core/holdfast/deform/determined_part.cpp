@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <holdfast/base/largest_size.h>
-#include <holdfast/base/parallel.h>
+#include <holdfast/matrices/largest_size.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/thread_priority.h>
 #include <holdfast/ordering/elimination_order.h>
+#include <holdfast/threads/thread_priority.h>
 
 namespace holdfast {
 namespace {

@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include <holdfast/base/long_step.h>
 #include <holdfast/deform/constraint_factorization.h>
 #include <holdfast/deform/deformer.h>
+#include <holdfast/threads/long_step.h>
 
 namespace holdfast {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include <holdfast/base/parallel.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 

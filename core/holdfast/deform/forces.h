@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include <holdfast/base/term.h>
 #include <holdfast/elimination/row_components.h>
+#include <holdfast/numbers/term.h>
 #include <holdfast/operators/energy_matrix.h>
 
 namespace holdfast {

@@ -4,12 +4,12 @@
 #include <map>
 #include <vector>
 
-#include <holdfast/base/progress.h>
 #include <holdfast/check/finding.h>
 #include <holdfast/deform/report.h>
 #include <holdfast/elimination/diagnosis.h>
 #include <holdfast/rotation/rotation_energy.h>
 #include <holdfast/solve/constrained_solver.h>
+#include <holdfast/threads/progress.h>
 
 namespace holdfast {
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/printable.h>
 #include <holdfast/mesh/index_lists.h>
 #include <holdfast/mesh/labels.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/deform/deform_details.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 

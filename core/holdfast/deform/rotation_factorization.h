@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include <holdfast/base/long_step.h>
 #include <holdfast/check/finding.h>
 #include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/report.h>
 #include <holdfast/operators/operators.h>
 #include <holdfast/rotation/rotation_field.h>
+#include <holdfast/threads/long_step.h>
 
 namespace holdfast {
 

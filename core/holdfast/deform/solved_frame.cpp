@@ -5,15 +5,15 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/largest_size.h>
-#include <holdfast/base/parallel.h>
-#include <holdfast/base/stopwatch.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/deformed_positions.h>
 #include <holdfast/deform/determined_part.h>
 #include <holdfast/deform/found_shape.h>
 #include <holdfast/deform/messages.h>
+#include <holdfast/matrices/largest_size.h>
 #include <holdfast/rotation/decided_rotations.h>
+#include <holdfast/threads/parallel.h>
+#include <holdfast/threads/stopwatch.h>
 
 namespace holdfast {
 namespace {

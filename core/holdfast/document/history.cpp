@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include <holdfast/base/error.h>
 #include <holdfast/surface/surface_locator.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

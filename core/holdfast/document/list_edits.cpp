@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/printable.h>
+#include <holdfast/words/error.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

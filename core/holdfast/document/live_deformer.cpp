@@ -4,10 +4,10 @@
 #include <condition_variable>
 #include <mutex>
 
-#include <holdfast/base/background_threads.h>
-#include <holdfast/base/error.h>
-#include <holdfast/base/thread_priority.h>
 #include <holdfast/deform/deformer.h>
+#include <holdfast/threads/background_threads.h>
+#include <holdfast/threads/thread_priority.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <Eigen/Geometry>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/printable.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/document/list_edits.h>
+#include <holdfast/words/error.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

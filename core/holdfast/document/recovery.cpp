@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/files/output_file.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

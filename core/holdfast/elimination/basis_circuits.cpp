@@ -8,8 +8,8 @@
 
 #include <Eigen/OrderingMethods>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/elimination/sparse_qr.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include <holdfast/base/sparse_products.h>
 #include <holdfast/elimination/free_parts.h>
 #include <holdfast/elimination/row_components.h>
 #include <holdfast/elimination/sparse_qr.h>
+#include <holdfast/matrices/sparse_products.h>
 
 namespace holdfast {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include <holdfast/base/disjoint_sets.h>
-#include <holdfast/base/largest_size.h>
-#include <holdfast/base/parallel.h>
+#include <holdfast/matrices/largest_size.h>
 #include <holdfast/mesh/index_lists.h>
+#include <holdfast/numbers/disjoint_sets.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

@@ -6,11 +6,11 @@
 #include <optional>
 #include <ranges>
 
-#include <holdfast/base/disjoint_sets.h>
 #include <holdfast/elimination/large_component.h>
 #include <holdfast/elimination/merged_unknowns.h>
 #include <holdfast/elimination/own_unknowns.h>
 #include <holdfast/elimination/sequential_qr.h>
+#include <holdfast/numbers/disjoint_sets.h>
 
 namespace holdfast {
 namespace {

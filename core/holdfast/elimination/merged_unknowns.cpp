@@ -5,7 +5,7 @@
 #include <map>
 #include <numeric>
 
-#include <holdfast/base/sparse_products.h>
+#include <holdfast/matrices/sparse_products.h>
 
 namespace holdfast {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <random>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/elimination/sequential_qr.h>
 #include <holdfast/elimination/sparse_qr.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

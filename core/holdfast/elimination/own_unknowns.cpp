@@ -4,7 +4,7 @@
 #include <cmath>
 #include <ranges>
 
-#include <holdfast/base/sparse_products.h>
+#include <holdfast/matrices/sparse_products.h>
 
 namespace holdfast {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include <holdfast/base/disjoint_sets.h>
-#include <holdfast/base/sparse_products.h>
+#include <holdfast/matrices/sparse_products.h>
+#include <holdfast/numbers/disjoint_sets.h>
 
 namespace holdfast {
 namespace {

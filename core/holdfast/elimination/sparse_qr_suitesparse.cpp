@@ -4,9 +4,9 @@
 
 #include <SuiteSparseQR.hpp>
 
-#include <holdfast/base/cholmod_view_internal.h>
-#include <holdfast/base/one_thread_internal.h>
 #include <holdfast/elimination/sparse_qr.h>
+#include <holdfast/matrices/cholmod_view_internal.h>
+#include <holdfast/threads/one_thread_internal.h>
 
 namespace holdfast {
 namespace {

@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/available_memory.h>
-#include <holdfast/base/large_memory.h>
-#include <holdfast/base/long_step.h>
-#include <holdfast/base/no_subnormals_internal.h>
-#include <holdfast/base/parallel.h>
 #include <holdfast/factor/dense_kernels_internal.h>
 #include <holdfast/factor/strips.h>
+#include <holdfast/memory/available_memory.h>
+#include <holdfast/memory/large_memory.h>
+#include <holdfast/numbers/no_subnormals_internal.h>
+#include <holdfast/threads/long_step.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

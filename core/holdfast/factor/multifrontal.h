@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include <holdfast/base/result.h>
 #include <holdfast/factor/packed_factor.h>
+#include <holdfast/words/result.h>
 
 namespace holdfast {
 

@@ -4,9 +4,9 @@
 #include <functional>
 #include <utility>
 
-#include <holdfast/base/parallel.h>
-#include <holdfast/base/sparse_products.h>
 #include <holdfast/factor/strips.h>
+#include <holdfast/matrices/sparse_products.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include <holdfast/base/large_memory.h>
 #include <holdfast/factor/symbolic_factor.h>
 #include <holdfast/factor/top_solve.h>
+#include <holdfast/memory/large_memory.h>
 
 namespace holdfast {
 

@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/ordering/supernodes.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

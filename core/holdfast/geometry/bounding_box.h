@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast {
 

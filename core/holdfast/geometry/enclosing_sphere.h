@@ -1,7 +1,7 @@
 #pragma once
 /// The smallest sphere around a mesh. Its diameter is a length that no rotation changes, unlike the diagonal of a box.
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast {
 

@@ -2,14 +2,14 @@
 
 #include <fmt/ranges.h>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/lower_case.h>
-#include <holdfast/base/printable.h>
 #include <holdfast/io/files/file_bytes.h>
 #include <holdfast/io/files/output_file.h>
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/text/encoding.h>
 #include <holdfast/mesh/stated_places.h>
+#include <holdfast/words/error.h>
+#include <holdfast/words/lower_case.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast {
 

@@ -2,11 +2,11 @@
 
 #include <bit>
 
-#include <holdfast/base/disjoint_sets.h>
-#include <holdfast/base/largest_size.h>
 #include <holdfast/geometry/bounding_box.h>
+#include <holdfast/matrices/largest_size.h>
 #include <holdfast/mesh/edges.h>
 #include <holdfast/mesh/near_pairs.h>
+#include <holdfast/numbers/disjoint_sets.h>
 
 namespace holdfast {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <Eigen/Geometry>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/mesh/index_lists.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include <holdfast/base/parallel.h>
-#include <holdfast/base/sparse_products.h>
+#include <holdfast/matrices/sparse_products.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 

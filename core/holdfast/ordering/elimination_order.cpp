@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include <holdfast/base/sparse_products.h>
+#include <holdfast/matrices/sparse_products.h>
 #include <holdfast/mesh/edges.h>
 #include <holdfast/ordering/nested_dissection.h>
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include <holdfast/base/sparse_products.h>
+#include <holdfast/matrices/sparse_products.h>
 
 namespace holdfast {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 #include <holdfast/ordering/graph.h>
 
 namespace holdfast {

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/ordering/bisection.h>
 #include <holdfast/ordering/minimum_degree.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include <holdfast/base/disjoint_sets.h>
 #include <holdfast/geometry/enclosing_sphere.h>
 #include <holdfast/geometry/rotation_fit.h>
 #include <holdfast/mesh/index_lists.h>
+#include <holdfast/numbers/disjoint_sets.h>
 #include <holdfast/operators/model_size.h>
 #include <holdfast/rotation/edge_weights.h>
 

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/disjoint_sets.h>
-#include <holdfast/base/parallel.h>
-#include <holdfast/base/sparse_products.h>
+#include <holdfast/matrices/sparse_products.h>
+#include <holdfast/numbers/disjoint_sets.h>
 #include <holdfast/ordering/elimination_order.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

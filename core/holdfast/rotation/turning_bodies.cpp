@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include <holdfast/base/disjoint_sets.h>
 #include <holdfast/mesh/index_lists.h>
+#include <holdfast/numbers/disjoint_sets.h>
 
 namespace holdfast {
 namespace {

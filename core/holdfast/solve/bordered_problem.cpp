@@ -6,10 +6,10 @@
 
 #include <Eigen/LU>
 
-#include <holdfast/base/disjoint_sets.h>
-#include <holdfast/base/long_step.h>
+#include <holdfast/numbers/disjoint_sets.h>
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/interleaved_rows.h>
+#include <holdfast/threads/long_step.h>
 
 namespace holdfast {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <numeric>
 
-#include <holdfast/base/long_step.h>
 #include <holdfast/factor/multifrontal.h>
 #include <holdfast/factor/multipliers.h>
 #include <holdfast/ordering/minimum_degree.h>
 #include <holdfast/solve/interleaved_rows.h>
 #include <holdfast/solve/least_squares_factor.h>
+#include <holdfast/threads/long_step.h>
 
 namespace holdfast {
 namespace {

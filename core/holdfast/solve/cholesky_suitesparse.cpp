@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/cholmod_view_internal.h>
-#include <holdfast/base/one_thread_internal.h>
+#include <holdfast/matrices/cholmod_view_internal.h>
 #include <holdfast/solve/least_squares_factor.h>
+#include <holdfast/threads/one_thread_internal.h>
 
 namespace holdfast {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 /// Columns of unit length. With them the normal equations have a unit diagonal, nearly.
 
-#include <holdfast/base/result.h>
-#include <holdfast/base/sparse_products.h>
+#include <holdfast/matrices/sparse_products.h>
+#include <holdfast/words/result.h>
 
 namespace holdfast {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <holdfast/base/largest_size.h>
+#include <holdfast/matrices/largest_size.h>
 
 namespace holdfast {
 namespace {

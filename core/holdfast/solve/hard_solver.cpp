@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include <holdfast/base/disjoint_sets.h>
-#include <holdfast/base/largest_size.h>
-#include <holdfast/base/long_step.h>
 #include <holdfast/elimination/reconciliation.h>
+#include <holdfast/matrices/largest_size.h>
+#include <holdfast/numbers/disjoint_sets.h>
 #include <holdfast/ordering/elimination_order.h>
 #include <holdfast/solve/bordered_problem.h>
 #include <holdfast/solve/constrained_solver.h>
+#include <holdfast/threads/long_step.h>
 
 namespace holdfast {
 namespace {

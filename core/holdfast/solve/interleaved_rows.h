@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <holdfast/base/parallel.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 

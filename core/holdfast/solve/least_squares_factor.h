@@ -5,10 +5,10 @@
 #include <memory>
 #include <string_view>
 
-#include <holdfast/base/result.h>
 #include <holdfast/factor/packed_factor.h>
 #include <holdfast/solve/linear_map.h>
 #include <holdfast/solve/solver_options.h>
+#include <holdfast/words/result.h>
 
 namespace holdfast {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <type_traits>
 
-#include <holdfast/base/sparse_products.h>
+#include <holdfast/matrices/sparse_products.h>
 
 namespace holdfast {
 

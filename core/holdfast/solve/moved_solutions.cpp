@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include <holdfast/base/parallel.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include <holdfast/base/parallel.h>
-#include <holdfast/base/term.h>
+#include <holdfast/numbers/term.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast {
 

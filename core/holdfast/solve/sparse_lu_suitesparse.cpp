@@ -4,8 +4,8 @@
 
 #include <Eigen/UmfPackSupport>
 
-#include <holdfast/base/one_thread_internal.h>
 #include <holdfast/solve/sparse_lu.h>
+#include <holdfast/threads/one_thread_internal.h>
 
 namespace holdfast {
 namespace {

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast {
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/printable.h>
 #include <holdfast/mesh/labels.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

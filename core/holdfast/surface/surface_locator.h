@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include <holdfast/base/error.h>
 #include <holdfast/mesh/edges.h>
 #include <holdfast/surface/surface_location.h>
 #include <holdfast/surface/surface_point.h>
 #include <holdfast/surface/triangle_tree.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 

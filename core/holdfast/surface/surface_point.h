@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <holdfast/base/term.h>
+#include <holdfast/numbers/term.h>
 
 namespace holdfast {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include <holdfast/base/parallel.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/mesh/index_lists.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include <holdfast/base/progress.h>
 #include <holdfast/surface/triangle_tree.h>
+#include <holdfast/threads/progress.h>
 #include <holdfast/verdict/shape_change.h>
 
 namespace holdfast {

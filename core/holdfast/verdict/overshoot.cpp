@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include <holdfast/base/parallel.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <Eigen/Geometry>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/mesh/edges.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

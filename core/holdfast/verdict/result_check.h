@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include <holdfast/base/progress.h>
+#include <holdfast/threads/progress.h>
 #include <holdfast/verdict/crossing_faces.h>
 #include <holdfast/verdict/result_findings.h>
 #include <holdfast/verdict/result_verdict.h>

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast {
 

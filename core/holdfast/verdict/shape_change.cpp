@@ -5,9 +5,9 @@
 #include <limits>
 #include <tuple>
 
-#include <holdfast/base/disjoint_sets.h>
-#include <holdfast/base/parallel.h>
 #include <holdfast/mesh/index_lists.h>
+#include <holdfast/numbers/disjoint_sets.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/words/error.h>
 
 #include "support/constraint_lists.h"
 

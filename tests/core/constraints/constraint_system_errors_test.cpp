@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraints/constraint_system.h>
+#include <holdfast/words/error.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"

@@ -9,9 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/disjoint_sets.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/io/mesh_file.h>
+#include <holdfast/numbers/disjoint_sets.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/words/error.h>
 
 #include "support/constraint_systems.h"
 #include "support/law_meshes.h"

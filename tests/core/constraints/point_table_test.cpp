@@ -1,10 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/same_bits.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/constraint_files/point_tables.h>
+#include <holdfast/numbers/same_bits.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

@@ -12,8 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/long_step.h>
 #include <holdfast/deform/deformer.h>
+#include <holdfast/threads/long_step.h>
 
 #include "support/latch.h"
 #include "support/meshes.h"

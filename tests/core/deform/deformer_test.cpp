@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/deformer.h>
 #include <holdfast/surface/surface_locator.h>
+#include <holdfast/words/error.h>
 
 #include "support/law_meshes.h"
 #include "support/point_constraints.h"

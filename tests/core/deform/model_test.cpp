@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/deform/model.h>
 #include <holdfast/operators/operators.h>
+#include <holdfast/words/error.h>
 
 #include "support/law_meshes.h"
 #include "support/one_core.h"

@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/deform/deformer.h>
+#include <holdfast/words/error.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"

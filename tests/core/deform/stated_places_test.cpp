@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/same_bits.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/io/formats/formats.h>
+#include <holdfast/numbers/same_bits.h>
+#include <holdfast/words/error.h>
 
 #include "support/meshes.h"
 #include "support/point_constraints.h"

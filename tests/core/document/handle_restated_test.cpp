@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/document/handle_restated.h>
+#include <holdfast/words/error.h>
 
 #include "support/law_meshes.h"
 

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/document/list_edits.h>
+#include <holdfast/words/error.h>
 
 #include "support/constraint_lists.h"
 

@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/long_step.h>
 #include <holdfast/document/live_deformer.h>
 #include <holdfast/elimination/diagnosis.h>
+#include <holdfast/threads/long_step.h>
 
 #include "core/document/live_witness.h"
 #include "support/law_meshes.h"

@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/deform/deformer.h>
 #include <holdfast/document/mirrored.h>
+#include <holdfast/words/error.h>
 
 #include "support/meshes.h"
 

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/document/point_lists.h>
+#include <holdfast/words/error.h>
 
 #include "support/constraint_lists.h"
 #include "support/meshes.h"

@@ -12,8 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/document/recovery.h>
+#include <holdfast/words/error.h>
 
 #include "support/constraint_lists.h"
 #include "support/random.h"

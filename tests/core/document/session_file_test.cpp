@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/session_file.h>
+#include <holdfast/words/error.h>
 
 #include "support/constraint_lists.h"
 #include "support/random.h"

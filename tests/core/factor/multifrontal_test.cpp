@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/available_memory.h>
-#include <holdfast/base/long_step.h>
 #include <holdfast/factor/multifrontal.h>
+#include <holdfast/memory/available_memory.h>
+#include <holdfast/threads/long_step.h>
 
 #include "core/factor/spd_matrices.h"
 #include "support/latch.h"

@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/mesh_document.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast::test {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/base/same_bits.h>
 #include <holdfast/io/text/loose_number.h>
+#include <holdfast/numbers/same_bits.h>
 
 namespace holdfast {
 namespace {

@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/mesh/triangulation.h>
+#include <holdfast/words/error.h>
 
 #include "support/meshes.h"
 #include "support/temporary_folder.h"

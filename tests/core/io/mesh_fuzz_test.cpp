@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/formats/formats.h>
+#include <holdfast/words/error.h>
 
 #include "support/mesh_examples.h"
 #include "support/random.h"

@@ -12,8 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/files/output_file.h>
+#include <holdfast/words/error.h>
 
 #include "support/temporary_folder.h"
 

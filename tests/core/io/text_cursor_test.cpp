@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/same_bits.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/io/text/text_cursor.h>
+#include <holdfast/numbers/same_bits.h>
+#include <holdfast/words/error.h>
 
 #include "support/random.h"
 

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/mesh_file.h>
+#include <holdfast/words/error.h>
 
 #include "support/temporary_folder.h"
 

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/formats/block_compressor.h>
 #include <holdfast/io/formats/formats.h>
+#include <holdfast/words/error.h>
 
 #include "core/io/vtp_files.h"
 

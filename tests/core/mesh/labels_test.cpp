@@ -1,10 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/deform/model.h>
 #include <holdfast/mesh/labels.h>
 #include <holdfast/surface/surface_locator.h>
+#include <holdfast/words/error.h>
 
 #include "support/meshes.h"
 

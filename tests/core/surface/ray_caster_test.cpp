@@ -8,8 +8,8 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/surface/ray_caster.h>
+#include <holdfast/threads/parallel.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"

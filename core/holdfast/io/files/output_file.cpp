@@ -13,8 +13,8 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/files/file_descriptor.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

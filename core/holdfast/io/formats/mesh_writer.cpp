@@ -3,12 +3,12 @@
 #include <limits>
 #include <ranges>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/printable.h>
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/mesh/triangulation.h>
 #include <holdfast/mesh/vertex_normals.h>
+#include <holdfast/words/error.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <set>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/printable.h>
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/formats/obj_statements.h>
 #include <holdfast/io/text/encoding.h>
 #include <holdfast/io/text/number_text.h>
+#include <holdfast/words/error.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

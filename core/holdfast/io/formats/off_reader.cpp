@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include <holdfast/base/lower_case.h>
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/text/encoding.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/mesh/vertex_normals.h>
+#include <holdfast/words/lower_case.h>
 
 namespace holdfast {
 namespace {

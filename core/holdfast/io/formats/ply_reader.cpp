@@ -2,11 +2,11 @@
 #include <array>
 #include <cstdint>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/printable.h>
 #include <holdfast/io/formats/ply_scanner.h>
 #include <holdfast/io/text/encoding.h>
 #include <holdfast/mesh/vertex_normals.h>
+#include <holdfast/words/error.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

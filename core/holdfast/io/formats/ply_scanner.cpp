@@ -3,9 +3,9 @@
 #include <array>
 #include <cstdint>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/printable.h>
 #include <holdfast/io/text/loose_number.h>
+#include <holdfast/words/error.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cassert>
 
-#include <holdfast/base/same_bits.h>
 #include <holdfast/io/formats/added_normals.h>
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/formats/stored_normals.h>
 #include <holdfast/io/formats/text_edit.h>
 #include <holdfast/io/text/number_text.h>
+#include <holdfast/numbers/same_bits.h>
 
 namespace holdfast {
 namespace {

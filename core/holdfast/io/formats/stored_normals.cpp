@@ -6,10 +6,10 @@
 #include <functional>
 #include <map>
 
-#include <holdfast/base/parallel.h>
-#include <holdfast/base/printable.h>
-#include <holdfast/base/same_bits.h>
 #include <holdfast/mesh/vertex_normals.h>
+#include <holdfast/numbers/same_bits.h>
+#include <holdfast/threads/parallel.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

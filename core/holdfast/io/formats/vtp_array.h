@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include <holdfast/base/types.h>
 #include <holdfast/io/formats/vtp_block.h>
 #include <holdfast/io/formats/xml_tree.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast {
 

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/same_bits.h>
 #include <holdfast/io/text/number_text.h>
+#include <holdfast/numbers/same_bits.h>
 
 namespace holdfast {
 namespace {

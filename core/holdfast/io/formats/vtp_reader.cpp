@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/formats/vtp_source.h>
 #include <holdfast/io/text/encoding.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/formats/stored_normals.h>
 #include <holdfast/io/formats/vtp_editor.h>
 #include <holdfast/mesh/vertex_normals.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

@@ -10,7 +10,7 @@
 #include <expat.h>
 #include <fmt/format.h>
 
-#include <holdfast/base/error.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

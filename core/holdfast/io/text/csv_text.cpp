@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <holdfast/base/error.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

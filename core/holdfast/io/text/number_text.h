@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast {
 

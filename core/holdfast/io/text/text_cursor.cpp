@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include <holdfast/base/printable.h>
 #include <holdfast/io/text/loose_number.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/error.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 

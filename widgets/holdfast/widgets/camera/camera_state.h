@@ -4,8 +4,8 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/base/types.h>
 #include <holdfast/document/session_file.h>
+#include <holdfast/numbers/types.h>
 #include <holdfast/widgets/camera/display_transform.h>
 
 namespace holdfast {

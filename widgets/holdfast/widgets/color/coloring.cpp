@@ -7,10 +7,10 @@
 #include <limits>
 #include <utility>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/mesh/vertex_normals.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 #include <holdfast/widgets/color/scalar_legend.h>
 
 namespace holdfast {

@@ -2,7 +2,7 @@
 /// The parts of the gizmo: their colours, their layout on the display, how visible each is, and which one the cursor
 /// meets.
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 #include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/color/color_map.h>
 

@@ -26,7 +26,7 @@
 #include <vtkWidgetEvent.h>
 #include <vtkWidgetRepresentation.h>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 #include <holdfast/widgets/camera/display_transform.h>
 
 namespace holdfast {

@@ -10,7 +10,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 #include <holdfast/widgets/color/color_map.h>
 #include <holdfast/widgets/marks/mark_set.h>
 #include <holdfast/widgets/marks/point_sprites.h>

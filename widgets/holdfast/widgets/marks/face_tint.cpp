@@ -7,7 +7,7 @@
 #include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 
-#include <holdfast/base/parallel.h>
+#include <holdfast/threads/parallel.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {

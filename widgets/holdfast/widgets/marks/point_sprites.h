@@ -10,7 +10,7 @@
 #include <vtkProperty.h>
 #include <vtkSmartPointer.h>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 #include <holdfast/widgets/color/color_map.h>
 
 namespace holdfast {

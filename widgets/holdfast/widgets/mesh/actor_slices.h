@@ -10,7 +10,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast {
 

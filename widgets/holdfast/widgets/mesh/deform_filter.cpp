@@ -9,10 +9,10 @@
 #include <vtkPolyData.h>
 #include <vtkVersionMacros.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/mesh/stated_places.h>
 #include <holdfast/widgets/mesh/poly_data.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 

@@ -11,9 +11,9 @@
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/mesh/index_lists.h>
 #include <holdfast/mesh/vertex_normals.h>
+#include <holdfast/threads/parallel.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {

@@ -7,8 +7,8 @@
 #include <vtkDataArray.h>
 #include <vtkTypeInt32Array.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/mesh/stated_places.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 /// A section plane cuts away one side of the picture, so that the inside can be seen.
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast {
 

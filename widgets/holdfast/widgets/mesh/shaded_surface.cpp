@@ -7,9 +7,9 @@
 #include <set>
 #include <span>
 
-#include <holdfast/base/disjoint_sets.h>
 #include <holdfast/mesh/edges.h>
 #include <holdfast/mesh/vertex_normals.h>
+#include <holdfast/numbers/disjoint_sets.h>
 
 namespace holdfast {
 namespace {

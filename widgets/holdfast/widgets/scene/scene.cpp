@@ -10,12 +10,12 @@
 #include <vtkTextureObject.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/color/scalar_legend.h>
 #include <holdfast/widgets/scene/lighting.h>
 #include <holdfast/widgets/scene/vtk_error_log.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

@@ -3,7 +3,7 @@
 #include <QKeyEvent>
 #include <utility>
 
-#include <holdfast/base/same_bits.h>
+#include <holdfast/numbers/same_bits.h>
 #include <holdfast/window/controls/panel_parts.h>
 
 namespace holdfast {

@@ -15,8 +15,6 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/lower_case.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
@@ -33,6 +31,8 @@
 #include <holdfast/window/files/progress_dialog.h>
 #include <holdfast/window/files/recent_files.h>
 #include <holdfast/window/text/number_text.h>
+#include <holdfast/words/error.h>
+#include <holdfast/words/lower_case.h>
 
 namespace holdfast {
 namespace {

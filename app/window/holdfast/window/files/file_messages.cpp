@@ -4,11 +4,11 @@
 #include <QFileInfo>
 #include <QRegularExpression>
 
-#include <holdfast/base/available_memory.h>
-#include <holdfast/base/error.h>
 #include <holdfast/io/mesh_file.h>
+#include <holdfast/memory/available_memory.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/text/number_text.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

@@ -1,7 +1,6 @@
 #include <QHeaderView>
 #include <cmath>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraints/handle_motion.h>
 #include <holdfast/document/handle_restated.h>
 #include <holdfast/document/list_edits.h>
@@ -9,6 +8,7 @@
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/table/vertex_table_model.h>
 #include <holdfast/window/text/constraint_text.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

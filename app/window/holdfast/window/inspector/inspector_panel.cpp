@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include <holdfast/base/error.h>
 #include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/text/constraint_text.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include <holdfast/base/error.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include <holdfast/base/same_bits.h>
+#include <holdfast/numbers/same_bits.h>
 #include <holdfast/window/controls/number_edit.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/constraint_actions.h>

@@ -3,11 +3,11 @@
 #include <numeric>
 #include <vector>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/surface/surface_locator.h>
 #include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/model/at_rest.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

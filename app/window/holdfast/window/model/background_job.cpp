@@ -4,7 +4,7 @@
 #include <QEvent>
 #include <utility>
 
-#include <holdfast/base/thread_priority.h>
+#include <holdfast/threads/thread_priority.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {

@@ -11,8 +11,8 @@
 #include <mutex>
 #include <stop_token>
 
-#include <holdfast/base/background_threads.h>
-#include <holdfast/base/progress.h>
+#include <holdfast/threads/background_threads.h>
+#include <holdfast/threads/progress.h>
 
 namespace holdfast {
 

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/background_threads.h>
 #include <holdfast/io/mesh_file.h>
+#include <holdfast/threads/background_threads.h>
 #include <holdfast/widgets/mesh/coarse_surface.h>
 
 namespace holdfast {

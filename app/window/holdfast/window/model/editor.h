@@ -14,13 +14,13 @@
 #include <unordered_map>
 #include <vector>
 
-#include <holdfast/base/progress.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/deform/model.h>
 #include <holdfast/document/history.h>
 #include <holdfast/document/live_deformer.h>
 #include <holdfast/io/mesh_document.h>
 #include <holdfast/surface/vertex_regions.h>
+#include <holdfast/threads/progress.h>
 #include <holdfast/widgets/marks/mark_set.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/widgets/picking/visible_surface.h>

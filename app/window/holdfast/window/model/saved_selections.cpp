@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/window/text/constraint_text.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

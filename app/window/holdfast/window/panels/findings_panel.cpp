@@ -2,7 +2,6 @@
 #include <iterator>
 #include <utility>
 
-#include <holdfast/base/printable.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/geometry/bounding_box.h>
 #include <holdfast/mesh/index_lists.h>
@@ -11,6 +10,7 @@
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/panels/panels.h>
 #include <holdfast/window/text/number_text.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

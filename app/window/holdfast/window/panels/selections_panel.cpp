@@ -6,12 +6,12 @@
 #include <QScopedValueRollback>
 #include <QVBoxLayout>
 
-#include <holdfast/base/error.h>
 #include <holdfast/window/controls/command_tree.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/saved_selections.h>
 #include <holdfast/window/panels/panels.h>
 #include <holdfast/window/text/constraint_text.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

@@ -7,15 +7,15 @@
 #include <algorithm>
 #include <utility>
 
-#include <holdfast/base/error.h>
-#include <holdfast/base/printable.h>
-#include <holdfast/base/same_bits.h>
 #include <holdfast/mesh/index_lists.h>
+#include <holdfast/numbers/same_bits.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
+#include <holdfast/words/error.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include <holdfast/base/same_bits.h>
+#include <holdfast/numbers/same_bits.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include <holdfast/base/printable.h>
 #include <holdfast/window/text/number_text.h>
+#include <holdfast/words/printable.h>
 
 namespace holdfast {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 namespace holdfast {
 

@@ -5,13 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include <holdfast/base/error.h>
 #include <holdfast/widgets/interaction/constraint_mark_widget.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/interaction/surface_point_widget.h>
 #include <holdfast/widgets/interaction/surface_ruler_widget.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/tools/tools.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

@@ -8,7 +8,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 #include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {

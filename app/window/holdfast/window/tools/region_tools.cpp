@@ -4,10 +4,10 @@
 #include <array>
 #include <vector>
 
-#include <holdfast/base/error.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/interaction/surface_curve_widget.h>
 #include <holdfast/window/tools/tools.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

@@ -6,7 +6,7 @@
 #include <Qt>
 #include <vector>
 
-#include <holdfast/base/types.h>
+#include <holdfast/numbers/types.h>
 
 class QKeyEvent;
 class QPainter;

@@ -8,7 +8,7 @@
 
 #include <vtkCamera.h>
 
-#include <holdfast/base/thread_priority.h>
+#include <holdfast/threads/thread_priority.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/widgets/scene/lighting.h>

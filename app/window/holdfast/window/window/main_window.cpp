@@ -11,7 +11,6 @@
 #include <QUrl>
 #include <algorithm>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/controls/icons.h>
@@ -23,6 +22,7 @@
 #include <holdfast/window/files/start_page.h>
 #include <holdfast/window/viewport/view_state.h>
 #include <holdfast/window/window/preferences_dialog.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {

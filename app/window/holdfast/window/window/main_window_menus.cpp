@@ -7,7 +7,6 @@
 #include <QTableView>
 #include <QToolBar>
 
-#include <holdfast/base/error.h>
 #include <holdfast/geometry/bounding_box.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/theme.h>
@@ -19,6 +18,7 @@
 #include <holdfast/window/window/help_dialog.h>
 #include <holdfast/window/window/main_window.h>
 #include <holdfast/window/window/saved_selection_menu.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 

@@ -5,11 +5,11 @@
 #include <QTimer>
 #include <QTreeWidget>
 
-#include <holdfast/base/error.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/model/saved_selections.h>
 #include <holdfast/window/text/constraint_text.h>
+#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {
