@@ -14,20 +14,30 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . scripts/lib/build.sh
 . scripts/lib/bare_system.sh
 
-run_tests() { scripts/test.sh --label-regex nightly; }
+# configure_release OPTION...
+configure_release() {
+  install_packages "${holdfast_packages[@]}"
+  configure_preset release -DHOLDFAST_BUILD_GUI=ON -DHOLDFAST_WITH_CHOLMOD=ON -DHOLDFAST_BUILD_TESTS=ON "$@"
+}
+run_tests() {
+  configure_release
+  build_preset release holdfast_tour
+  scripts/test.sh --label-regex nightly
+}
 # Experiments of docs/paper.md that take seconds, and all benchmarks on small meshes, so that they do not rot.
 run_paper() {
-  install_packages "${holdfast_packages[@]}"
-  configure_preset release -DHOLDFAST_BUILD_GUI=ON -DHOLDFAST_WITH_CHOLMOD=ON -DHOLDFAST_BUILD_TESTS=ON -DHOLDFAST_BUILD_BENCH=ON
+  configure_release -DHOLDFAST_BUILD_BENCH=ON
   build_preset release
   ctest --preset release --tests-regex '^paper/|benchmarks$'
 }
 run_bookworm() { in_bare_system bookworm scripts/test.sh --tests-regex "$by_version"; }
 run_trixie() { in_bare_system trixie scripts/test.sh --tests-regex "$by_version"; }
+# Headers without a source of their own, too: all others are the first include of theirs.
 run_sources() {
   install_packages "${holdfast_packages[@]}"
   configure_preset debug -DHOLDFAST_BUILD_GUI=ON -DHOLDFAST_WITH_CHOLMOD=ON -DHOLDFAST_BUILD_TESTS=ON -DHOLDFAST_BUILD_BENCH=ON
   build_preset debug
+  build_preset debug all_verify_interface_header_sets
 }
 # After `sources`, which makes the sources that Qt generates. 77: the tools are of another version.
 run_lint() {
