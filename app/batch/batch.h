@@ -51,11 +51,19 @@ enum ExitCode : int { kAllMet = 0, kUsage = 2, kInput = 3, kConflicts = 4, kNume
 
 /// Returns the extensions of meshes that are read, as one text for people: ".obj, .ply, ...".
 [[nodiscard]] std::string knownFormats();
-/// Returns the values of `--color-by` in the same way. The text is empty in a build without VTK.
-[[nodiscard]] std::string knownColorings();
 
 /// Throws `UsageError` unless this build can write the outputs under these names and with these options.
 void requireFormats(const Command& command);
+
+/// There are two programs. One has VTK, and loading its libraries takes a tenth of a second. The other one has none,
+/// and goes on as that one for pictures, help and whatever it does not understand. These functions differ between the
+/// two.
+
+/// Throws `UsageError` unless this program can draw such a picture under such a name.
+void requirePicture(const PictureRequest& picture);
+
+/// Returns the values of `--color-by`, as one text for people. The text is empty without VTK.
+[[nodiscard]] std::string knownColorings();
 
 /// Throws `OutputError` if no picture can be drawn here. This takes about a tenth of a second.
 void requireDisplay(const PictureRequest& picture);
@@ -63,6 +71,9 @@ void requireDisplay(const PictureRequest& picture);
 /// Returns the bytes of a picture (PNG). Throws `OutputError`.
 [[nodiscard]] std::string snapshot(const PictureRequest& picture, const Model& model, const DeformResult& deformation,
                                    const std::string& units);
+
+/// Goes on as the program with VTK that lies beside this one. Returns where it is not there, or is this one.
+void goOnWithVtk(char** argv);
 
 /// Returns a summary: the mesh and its findings, the constraints in numbers, the solve, and which constraints pull
 /// hardest.

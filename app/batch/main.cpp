@@ -4,13 +4,11 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <new>
 #include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <holdfast/io/files/file_descriptor.h>
 #include <holdfast/io/files/output_file.h>
@@ -44,27 +42,16 @@ bool isLackOfMemory(const std::exception& error)
   return system != nullptr && system->code() == std::errc::resource_unavailable_try_again;
 }
 
-/// Goes on as the program beside this one that has VTK: it draws pictures, and its help lists their colours. Returns
-/// where it is not there, or is this one.
-void handOver([[maybe_unused]] char** argv)
-{
-#ifdef HOLDFAST_VTK_PROGRAM
-  std::error_code none;
-  const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", none);
-  ::execv((own.parent_path() / HOLDFAST_VTK_PROGRAM).c_str(), argv);
-#endif
-}
-
 ExitCode run(int argc, char** argv)
 {
   try {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, removeOutputsAndDie);
     for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);  // errors of the outputs that meet them
     const auto isQuestion = [](std::string_view argument) { return argument == "--help" || argument == "-h"; };
-    if (std::any_of(argv, argv + argc, isQuestion)) handOver(argv);
+    if (std::any_of(argv, argv + argc, isQuestion)) goOnWithVtk(argv);
     return parseCommandLine(argc, argv)();
   } catch (const UsageError& error) {
-    handOver(argv);
+    goOnWithVtk(argv);
     return complain(kUsage, error.what());
   } catch (const InputError& error) {
     return complain(kInput, error.what());
