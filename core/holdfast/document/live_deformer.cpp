@@ -13,7 +13,7 @@ namespace holdfast {
 namespace {
 
 // From so many unknowns on, a factorisation takes longer than a hand waits.
-constexpr Index kLarge = 20000;
+constexpr Index kLargeMesh = 20000;
 
 constexpr std::chrono::milliseconds kLongestUnseen(100);
 
@@ -106,7 +106,7 @@ struct LiveDeformer::Shared {
   DeformResult deformed(const Job& job)
   {
     if (deformer == nullptr || deformerOptions != job.state->options) {
-      const bool isLarge = model->solverMesh.unknownCount() >= kLarge;
+      const bool isLarge = model->solverMesh.unknownCount() >= kLargeMesh;
       deformer = std::make_unique<Deformer>(model, job.state->options,
                                             isLarge ? DeformerMode::Interactive : DeformerMode::Repeatable);
       deformerOptions = job.state->options;

@@ -14,8 +14,8 @@
 namespace holdfast {
 namespace {
 
-constexpr Index kUnknowns = 12;
-constexpr Index kRows = 5;
+constexpr Index kMovedUnknowns = 12;
+constexpr Index kMovedRows = 5;
 
 /// Any linear map from what rows ask for; counts its solutions.
 class Linear final : public ConstrainedSolver {
@@ -37,7 +37,7 @@ class Linear final : public ConstrainedSolver {
     edited = base.u;
     return solve(targets, f);
   }
-  [[nodiscard]] Index unknowns() const override { return kUnknowns; }
+  [[nodiscard]] Index unknowns() const override { return kMovedUnknowns; }
   [[nodiscard]] Index factorNonzeros() const override { return 0; }
   [[nodiscard]] std::string method() const override { return "a product"; }
 
@@ -46,7 +46,7 @@ class Linear final : public ConstrainedSolver {
   mutable Columns3 edited;      // the solution of another list from which the last one began
 
  private:
-  Eigen::MatrixXd map_ = Eigen::MatrixXd::Random(kUnknowns, kRows);
+  Eigen::MatrixXd map_ = Eigen::MatrixXd::Random(kMovedUnknowns, kMovedRows);
 };
 
 class MovedRows : public testing::Test {
@@ -64,22 +64,22 @@ class MovedRows : public testing::Test {
   }
 
   /// Row k moves by the k-th of these.
-  static Columns3 rows(const std::array<double, kRows>& x)
+  static Columns3 rows(const std::array<double, kMovedRows>& x)
   {
-    Columns3 by = Columns3::Zero(kRows, 3);
-    for (Index r = 0; r < kRows; ++r) by.row(r) = x[r] * Vector3(1, -2, 0.5);
+    Columns3 by = Columns3::Zero(kMovedRows, 3);
+    for (Index r = 0; r < kMovedRows; ++r) by.row(r) = x[r] * Vector3(1, -2, 0.5);
     return by;
   }
 
   Linear solver_;
   MovedSolutions moved_{makeModel(test::plate(3, 4)).solverMesh};
-  RowTargets targets_{Columns3::Random(kRows, 3), {}};
-  Columns3 q_ = Columns3::Random(kUnknowns, 3);
+  RowTargets targets_{Columns3::Random(kMovedRows, 3), {}};
+  Columns3 q_ = Columns3::Random(kMovedUnknowns, 3);
 };
 
 TEST_F(MovedRows, TakeOneSolutionForAllMovesOfADrag)
 {
-  EXPECT_EQ(move(Columns3::Zero(kRows, 3)), 1);
+  EXPECT_EQ(move(Columns3::Zero(kMovedRows, 3)), 1);
   EXPECT_EQ(move(rows({0, 0.1, 0.1, 0, 0})), 1) << "how far these two reach";
   for (int k = 0; k < 10; ++k) EXPECT_EQ(move(rows({0, 0.1, 0.1, 0, 0})), 0) << k;
   EXPECT_EQ(move(rows({0, 1e-16, -1e-16, 0, 0})), 0) << "rounding";
@@ -87,14 +87,14 @@ TEST_F(MovedRows, TakeOneSolutionForAllMovesOfADrag)
 
 TEST_F(MovedRows, AreAnsweredWhereTheyMoveByLittleMoreThanRounding)
 {
-  EXPECT_EQ(move(Columns3::Zero(kRows, 3)), 1);
+  EXPECT_EQ(move(Columns3::Zero(kMovedRows, 3)), 1);
   EXPECT_EQ(move(rows({0, 2e-13, 0, 0, 0})), 1);
   EXPECT_EQ(move(rows({0, 2e-13, 2e-13, 0, 0})), 1) << "two groups: a move twice as far is no rounding of the other";
 }
 
 TEST_F(MovedRows, MayMoveInThreeWays)
 {
-  EXPECT_EQ(move(Columns3::Zero(kRows, 3)), 1);
+  EXPECT_EQ(move(Columns3::Zero(kMovedRows, 3)), 1);
   EXPECT_EQ(move(rows({0.1, 0.2, 0.3, 0, 0})), 1);
   EXPECT_EQ(move(rows({0.2, 0.2, -0.3, 0, 0})), 1) << "other groups: the third is back";
   EXPECT_EQ(move(rows({0.1, 0.2, 0.3, 0.4, 0})), 1) << "four ways";
@@ -102,7 +102,7 @@ TEST_F(MovedRows, MayMoveInThreeWays)
 
 TEST_F(MovedRows, AreSolvedForAgainWhereAnythingElseHasChanged)
 {
-  EXPECT_EQ(move(Columns3::Zero(kRows, 3)), 1);
+  EXPECT_EQ(move(Columns3::Zero(kMovedRows, 3)), 1);
   EXPECT_EQ(move(rows({0.1, 0, 0, 0, 0})), 1);
   q_(0, 0) += 0.1;
   EXPECT_EQ(move(rows({0.1, 0, 0, 0, 0})), 1) << "other rotations";
@@ -114,16 +114,16 @@ TEST_F(MovedRows, AreSolvedForAgainWhereAnythingElseHasChanged)
 TEST_F(MovedRows, WithOtherRotationsBeginAtTheSumOfEarlierSolutionsThatIsNearest)
 {
   std::vector<Columns3> turns;
-  for (int k = 0; k < 3; ++k) turns.push_back(Columns3::Random(kUnknowns, 3));
+  for (int k = 0; k < 3; ++k) turns.push_back(Columns3::Random(kMovedUnknowns, 3));
   const auto turnTo = [&](const Columns3& q, const Columns3& by) {
     q_ = q;
     EXPECT_EQ(move(by), 1);
     return solver_.farthest;
   };
-  const Columns3 rest = Columns3::Zero(kRows, 3);
+  const Columns3 rest = Columns3::Zero(kMovedRows, 3);
   for (const Columns3& q : turns) turnTo(q, rest);
   EXPECT_LT(turnTo(2 * turns[0] - 3 * turns[1] + 2 * turns[2], rest), 1e-12);
-  EXPECT_GT(turnTo(Columns3::Random(kUnknowns, 3), rest), 0.1) << "nothing like any of them";
+  EXPECT_GT(turnTo(Columns3::Random(kMovedUnknowns, 3), rest), 0.1) << "nothing like any of them";
   EXPECT_LT(turnTo(q_ * 1.5, 0.5 * targets_.shifts), 1e-12) << "half as much more of all";
   targets_.reconciled = {4};
   solver_.farthest = -1;
@@ -144,7 +144,7 @@ TEST_F(MovedRows, OfAnEditedListBeginAtTheLastSolutionOfTheOneBefore)
     EXPECT_EQ(*found.f, 2 * q_);
     return solver_.edited;
   };
-  move(Columns3::Zero(kRows, 3));
+  move(Columns3::Zero(kMovedRows, 3));
   EXPECT_EQ(edit(), solver_.solve(targets_, 2 * q_).u);
   EXPECT_EQ(made, 0) << "f is as it was";
   move(rows({0.1, 0, 0, 0, 0}));

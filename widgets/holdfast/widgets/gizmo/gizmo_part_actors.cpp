@@ -25,7 +25,7 @@ constexpr double kRingTube = 0.0105;
 constexpr double kViewRingTube = 0.0085;
 constexpr double kBorderTube = 0.0075;
 constexpr double kCornerRadius = 0.035;
-constexpr double kFillOpacity = 0.45;
+constexpr double kPartFillOpacity = 0.45;
 
 constexpr int kSides = 32;
 constexpr int kTubeSides = 12;
@@ -170,8 +170,8 @@ GizmoShape square()
   const std::vector<CurvePoint> curve = roundedSquare();
   addTube(shape, curve, kBorderTube);
   const double middle = (kSquareStart + kSquareEnd) / 2;
-  const Index center = addPoint(shape, {middle, middle, 0}, Vector3::UnitZ(), kFillOpacity);
-  for (const CurvePoint& point : curve) addPoint(shape, point.place, Vector3::UnitZ(), kFillOpacity);
+  const Index center = addPoint(shape, {middle, middle, 0}, Vector3::UnitZ(), kPartFillOpacity);
+  for (const CurvePoint& point : curve) addPoint(shape, point.place, Vector3::UnitZ(), kPartFillOpacity);
   const auto count = static_cast<Index>(curve.size());
   for (Index k = 0; k < count; ++k) shape.triangles.push_back({center, center + 1 + k, center + 1 + (k + 1) % count});
   return shape;

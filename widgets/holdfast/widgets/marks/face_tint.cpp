@@ -17,7 +17,7 @@ namespace {
 constexpr double kLight = 0.7;
 constexpr Color kLightRim{1, 1, 1};
 constexpr Color kDarkRim{0.14, 0.15, 0.18};
-constexpr double kRimOpacity = 0.75;
+constexpr double kTintRimOpacity = 0.75;
 constexpr double kRimPixels = 3.6;
 constexpr double kLinePixels = 1.8;
 
@@ -45,7 +45,7 @@ FaceTint::FaceTint(const MeshActor& mesh, const Color& color, double opacity) : 
     setColor(*actor, color);
   }
   setColor(*rim_, color.green > kLight ? kDarkRim : kLightRim);
-  rim_->GetProperty()->SetOpacity(kRimOpacity);
+  rim_->GetProperty()->SetOpacity(kTintRimOpacity);
   faces_->GetProperty()->SetOpacity(opacity);
   faces_->SetPush(kPush);
   // They hide nothing that the surface below them does not hide, and need no order.

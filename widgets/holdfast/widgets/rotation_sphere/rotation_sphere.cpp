@@ -18,7 +18,7 @@ namespace holdfast {
 namespace {
 
 // Sizes in pixels of the picture.
-constexpr double kPointPixels = 4.5;
+constexpr double kSpherePointPixels = 4.5;
 constexpr double kBallPixels = 14;
 constexpr double kMarkPixels = 17;
 constexpr double kRingLinePixels = 1;
@@ -225,7 +225,7 @@ void RotationSphere::applyLook()
   setColor(*arcs_, look_.ink);
   setColor(*rings_, mixed(look_.ink, look_.shell, 0.7));
   setColor(*mark_, look_.mark);
-  setPointSize(*points_, kPointPixels * look_.pixelRatio);
+  setPointSize(*points_, kSpherePointPixels * look_.pixelRatio);
   setPointSize(*balls_, kBallPixels * look_.pixelRatio);
   setPointSize(*mark_, kMarkPixels * look_.pixelRatio);
   setLineWidth(*rings_, kRingLinePixels * look_.pixelRatio);

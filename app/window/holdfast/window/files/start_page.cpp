@@ -15,7 +15,7 @@
 namespace holdfast {
 namespace {
 
-constexpr int kMargin = 28;
+constexpr int kPageMargin = 28;
 constexpr int kGap = 8;
 constexpr int kEntryWidth = kRecentPictureSize.width() / 2 + 2 * kGap;
 
@@ -105,7 +105,7 @@ StartPage::StartPage(Editor& editor, DocumentFiles& files, QWidget* parent)
   setGeometry(parent->rect());
   parent->installEventFilter(this);
   auto* content = new QWidget;
-  auto* column = newLayout<QVBoxLayout>(content, kMargin, kGap);
+  auto* column = newLayout<QVBoxLayout>(content, kPageMargin, kGap);
   column->addWidget(newHeading(tr("Hold points of a surface exactly where you want them"), 1.4));
   auto* open = named(new QPushButton(tr("&Open…")), "startOpen");
   connect(open, &QPushButton::clicked, &files_, &DocumentFiles::openDialog);

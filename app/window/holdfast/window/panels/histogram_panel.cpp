@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kShareOfBar = 0.9;
 constexpr double kHeadroom = 1.06;  // over the highest bar
-constexpr double kGap = 4;          // between texts and lines
+constexpr double kTextGap = 4;      // between texts and lines
 constexpr double kPixelsPerTick = 62;
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
@@ -63,7 +63,7 @@ QRectF HistogramView::plot() const
   for (const Tick& tick : countTicks(largestCount()))
     widest = std::max(widest, metrics.horizontalAdvance(QString::fromStdString(tick.text)));
   const double line = metrics.height();
-  return QRectF(rect()).adjusted(line + widest + 3 * kGap, kGap, -1.5 * line, -2 * (line + kGap));
+  return QRectF(rect()).adjusted(line + widest + 3 * kTextGap, kTextGap, -1.5 * line, -2 * (line + kTextGap));
 }
 
 void HistogramView::paintEvent(QPaintEvent* /*event*/)
@@ -82,7 +82,7 @@ void HistogramView::paintEvent(QPaintEvent* /*event*/)
   for (const Tick& tick : countTicks(largestCount())) {
     const double y = area.bottom() - heightOf(tick.value);
     painter.fillRect(QRectF(area.left(), y, area.width(), 1), toQColor(colors.grid));
-    painter.drawText(QRectF(0, y - line / 2, area.left() - kGap, line), Qt::AlignRight | Qt::AlignVCenter,
+    painter.drawText(QRectF(0, y - line / 2, area.left() - kTextGap, line), Qt::AlignRight | Qt::AlignVCenter,
                      QString::fromStdString(tick.text));
   }
   for (Index bar = 0; bar < barCount(); ++bar) {
@@ -93,13 +93,13 @@ void HistogramView::paintEvent(QPaintEvent* /*event*/)
   for (const Tick& tick :
        edgeTicks(histogram_, std::max<Index>(2, static_cast<Index>(this->width() / kPixelsPerTick)))) {
     const double x = area.left() + width * tick.value;
-    painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + kGap));
-    painter.drawText(QRectF(x - kPixelsPerTick, area.bottom() + kGap, 2 * kPixelsPerTick, line), Qt::AlignHCenter,
+    painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + kTextGap));
+    painter.drawText(QRectF(x - kPixelsPerTick, area.bottom() + kTextGap, 2 * kPixelsPerTick, line), Qt::AlignHCenter,
                      QString::fromStdString(tick.text));
   }
   painter.drawLine(area.bottomLeft(), area.bottomRight());
   painter.drawLine(area.topLeft(), area.bottomLeft());
-  painter.drawText(QRectF(area.left(), height() - line - kGap / 2, area.width(), line), Qt::AlignCenter,
+  painter.drawText(QRectF(area.left(), height() - line - kTextGap / 2, area.width(), line), Qt::AlignCenter,
                    texts_.valueAxis);
   if (marked_ && barCount() > 0) {
     const double x = area.left() + width * placeAmongBins(histogram_, *marked_);
@@ -111,7 +111,7 @@ void HistogramView::paintEvent(QPaintEvent* /*event*/)
   if (QFontMetricsF(font()).horizontalAdvance(texts_.countAxis) > area.height()) return;
   painter.rotate(-90);
   painter.setPen(toQColor(colors.ink));
-  painter.drawText(QRectF(-area.bottom(), kGap / 2, area.height(), line), Qt::AlignCenter, texts_.countAxis);
+  painter.drawText(QRectF(-area.bottom(), kTextGap / 2, area.height(), line), Qt::AlignCenter, texts_.countAxis);
 }
 
 std::optional<Index> HistogramView::barAt(const QPointF& place) const
