@@ -9,9 +9,10 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/holdfast.h>
-#include <holdfast/widgets/interaction/gizmo_widget.h>
-#include <holdfast/widgets/interaction/surface_camera_style.h>
-#include <holdfast/widgets/interaction/surface_point_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoRepresentation.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoWidget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCameraStyle.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfacePointWidget.h>
 #include <holdfast/widgets/scene/scene_contents.h>
 
 using namespace holdfast;
@@ -56,9 +57,9 @@ struct DragPoint {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderWindowInteractor> interactor;
-  vtkNew<SurfaceCameraStyle> style;
-  vtkNew<SurfacePointWidget> point;
-  vtkNew<GizmoWidget> gizmo;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfacePointWidget> point;
+  vtkNew<vtkHoldfastGizmoWidget> gizmo;
 };
 
 int main(int argc, char** argv)

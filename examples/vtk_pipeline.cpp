@@ -7,14 +7,14 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <holdfast/holdfast.h>
-#include <holdfast/widgets/mesh/deform_filter.h>
+#include <holdfast/widgets/mesh/vtkHoldfastDeform.h>
 
 int main(int argc, char** argv)
 try {
   if (argc != 4) throw std::runtime_error("vtk_pipeline MESH.obj CONSTRAINTS RESULT.vtp");
   vtkNew<vtkOBJReader> reader;
   reader->SetFileName(argv[1]);
-  vtkNew<holdfast::DeformFilter> deform;
+  vtkNew<vtkHoldfastDeform> deform;
   deform->SetInputConnection(reader->GetOutputPort());
   deform->SetConstraints(holdfast::readConstraints(argv[2]));
   vtkNew<vtkXMLPolyDataWriter> writer;

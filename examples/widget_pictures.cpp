@@ -15,14 +15,15 @@
 #include <vtkWidgetEventTranslator.h>
 
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/widgets/interaction/constraint_mark_widget.h>
-#include <holdfast/widgets/interaction/gizmo_widget.h>
-#include <holdfast/widgets/interaction/region_widget.h>
-#include <holdfast/widgets/interaction/rotation_sphere_style.h>
-#include <holdfast/widgets/interaction/surface_camera_style.h>
-#include <holdfast/widgets/interaction/surface_curve_widget.h>
-#include <holdfast/widgets/interaction/surface_point_widget.h>
-#include <holdfast/widgets/interaction/surface_ruler_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastConstraintMarkWidget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoWidget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastRegionWidget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastRotationSphereStyle.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCameraStyle.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCurveWidget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceHandleRepresentation.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfacePointWidget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceRulerWidget.h>
 #include <holdfast/widgets/marks/point_preview.h>
 #include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/widgets/scene/kept_scene.h>
@@ -53,7 +54,7 @@ void Examples::gizmo()
 {
   const Vector3 place(0, 6, 50);
   // [gizmo]
-  vtkNew<GizmoWidget> gizmo;
+  vtkNew<vtkHoldfastGizmoWidget> gizmo;
   gizmo->SetInteractor(interactor);
   gizmo->GetGizmoRepresentation()->SetFrame(place, Eigen::Matrix3d::Identity());
   gizmo->GetGizmoRepresentation()->SetUnits("mm");
@@ -77,7 +78,7 @@ void Examples::surfacePoint()
   scene.setMeshEdges(MeshEdges::All);
   lookAt({0, -104, 0}, 7, {0.3, -1, 0.3});
   // [surface point]
-  vtkNew<SurfacePointWidget> point;
+  vtkNew<vtkHoldfastSurfacePointWidget> point;
   point->SetInteractor(interactor);
   point->SetSurface(surface);
   point->SetKind(PickKind::Face);
@@ -100,13 +101,14 @@ void Examples::surfaceCurve()
   scene.setMeshEdges(MeshEdges::All);
   lookAt({25, -76, 25}, 32, {0.1, -1, 0.1});
   // [surface curve]
-  vtkNew<SurfaceCurveWidget> curve;
+  vtkNew<vtkHoldfastSurfaceCurveWidget> curve;
   curve->SetInteractor(interactor);
   curve->SetSurface(surface);
   curve->SetRegions(std::make_shared<VertexRegions>(model.mesh, model.solverMesh));
   vtkNew<vtkCallbackCommand> tell;
   tell->SetCallback([](vtkObject* widget, unsigned long, void*, void*) {
-    std::cout << "a curve through " << static_cast<SurfaceCurveWidget*>(widget)->GetPath().size() << " vertices\n";
+    std::cout << "a curve through " << static_cast<vtkHoldfastSurfaceCurveWidget*>(widget)->GetPath().size()
+              << " vertices\n";
   });
   curve->AddObserver(vtkCommand::EndInteractionEvent, tell);
   curve->On();
@@ -123,7 +125,7 @@ void Examples::surfaceCurve()
 void Examples::region()
 {
   // [region]
-  vtkNew<RegionWidget> region;
+  vtkNew<vtkHoldfastRegionWidget> region;
   region->SetInteractor(interactor);
   region->SetSurface(surface);
   region->SetRegions(std::make_shared<VertexRegions>(model.mesh, model.solverMesh));
@@ -132,7 +134,7 @@ void Examples::region()
   select->SetClientData(&scene);
   select->SetCallback([](vtkObject* widget, unsigned long, void* clientData, void* callData) {
     static_cast<SceneContents*>(clientData)->setSelection(static_cast<RegionCallData*>(callData)->reached);
-    static_cast<RegionWidget*>(widget)->Render();
+    static_cast<vtkHoldfastRegionWidget*>(widget)->Render();
   });
   region->AddObserver(vtkCommand::InteractionEvent, select);
   region->On();
@@ -146,7 +148,7 @@ void Examples::region()
 void Examples::constraintMarks()
 {
   // [constraint marks]
-  vtkNew<ConstraintMarkWidget> marks;
+  vtkNew<vtkHoldfastConstraintMarkWidget> marks;
   marks->SetInteractor(interactor);
   marks->SetMarks(scene.sharedMarks());
   vtkNew<vtkCallbackCommand> highlight;
@@ -154,7 +156,7 @@ void Examples::constraintMarks()
   highlight->SetCallback([](vtkObject* widget, unsigned long, void* clientData, void* callData) {
     const auto* constraint = static_cast<Index*>(callData);
     static_cast<SceneContents*>(clientData)->highlight(constraint ? std::vector{*constraint} : std::vector<Index>{});
-    static_cast<ConstraintMarkWidget*>(widget)->Render();
+    static_cast<vtkHoldfastConstraintMarkWidget*>(widget)->Render();
   });
   marks->AddObserver(vtkCommand::HighlightEvent, highlight);
   marks->On();
@@ -168,13 +170,13 @@ void Examples::constraintMarks()
 void Examples::surfaceRuler()
 {
   // [surface ruler]
-  vtkNew<SurfaceRulerWidget> ruler;
+  vtkNew<vtkHoldfastSurfaceRulerWidget> ruler;
   ruler->SetInteractor(interactor);
   ruler->SetSurface(surface);
   ruler->SetUnits("mm");
   vtkNew<vtkCallbackCommand> tell;
   tell->SetCallback([](vtkObject* widget, unsigned long, void*, void*) {
-    std::cout << "measured " << static_cast<SurfaceRulerWidget*>(widget)->GetDistance() << " mm\n";
+    std::cout << "measured " << static_cast<vtkHoldfastSurfaceRulerWidget*>(widget)->GetDistance() << " mm\n";
   });
   ruler->AddObserver(vtkCommand::EndInteractionEvent, tell);
   ruler->On();
@@ -190,7 +192,7 @@ void Examples::surfaceRuler()
 void Examples::surfaceCamera()
 {
   // [surface camera]
-  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
   style->SetSurface(surface);
   vtkWidgetEventTranslator& drags = *style->GetEventTranslator();
   drags.SetTranslation(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::NoEvent);
@@ -234,7 +236,7 @@ void Examples::rotationSphere()
   sphere.addTo(*renderer);
   sphere.show(placeRotations(model, *deformation, nullptr));
   sphere.fitCamera();
-  vtkNew<RotationSphereStyle> style;
+  vtkNew<vtkHoldfastRotationSphereStyle> style;
   style->SetSphere(&sphere);
   vtkNew<vtkCallbackCommand> mark;
   mark->SetClientData(&sphere);
@@ -255,7 +257,7 @@ void Examples::rotationSphere()
 
 void Examples::bindings()
 {
-  vtkNew<GizmoWidget> gizmo;
+  vtkNew<vtkHoldfastGizmoWidget> gizmo;
   gizmo->SetInteractor(interactor);
   // [bindings]
   vtkWidgetEventTranslator& events = *gizmo->GetEventTranslator();
@@ -272,7 +274,7 @@ void Examples::bindings()
 
 void Examples::keptScene()
 {
-  vtkNew<SurfacePointWidget> point;
+  vtkNew<vtkHoldfastSurfacePointWidget> point;
   point->SetInteractor(interactor);
   point->SetSurface(surface);
   // [kept scene]
@@ -298,9 +300,9 @@ void Examples::placer()
 {
   const Vector3 place(0, -104, 0);
   // [placer]
-  vtkNew<SurfacePointPlacer> placer;
+  vtkNew<vtkHoldfastSurfacePointPlacer> placer;
   placer->SetSurface(surface);
-  vtkNew<SurfaceHandleRepresentation> drawn;
+  vtkNew<vtkHoldfastSurfaceHandleRepresentation> drawn;
   drawn->SetPointPlacer(placer);
   drawn->SetLocation(AtNear{place});
   vtkNew<vtkHandleWidget> handle;

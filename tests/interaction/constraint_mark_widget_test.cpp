@@ -1,5 +1,3 @@
-#include "holdfast/widgets/interaction/constraint_mark_widget.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
@@ -7,8 +5,9 @@
 #include <vtkWidgetEvent.h>
 #include <vtkWidgetEventTranslator.h>
 
-#include <holdfast/widgets/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCameraStyle.h>
 
+#include "holdfast/widgets/interaction/vtkHoldfastConstraintMarkWidget.h"
 #include "interaction/call_data_log.h"
 #include "interaction/interaction_fixture.h"
 #include "interaction/recorded_gesture.h"
@@ -44,7 +43,7 @@ struct MarkWidgetFixture : InteractionFixture {
     enable(*widget);
   }
 
-  vtkNew<ConstraintMarkWidget> widget;
+  vtkNew<vtkHoldfastConstraintMarkWidget> widget;
   CallDataLog<Index> highlighted{*widget, vtkCommand::HighlightEvent};
   CallDataLog<ConstraintPick> picked{*widget, vtkCommand::PickEvent};
 };
@@ -82,7 +81,7 @@ TEST_F(MarkWidget, TellsWhatIsClickedAndWhatIsHeld)
 
 TEST_F(MarkWidget, ADragIsNoClickAndBelongsToTheCamera)
 {
-  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
   interactor().SetInteractorStyle(style);
   const DisplayPoint from = pixelOf({3, 2, 0});
   mouse().moveTo(from);
@@ -178,7 +177,7 @@ TEST_F(MarkWidget, ActsInItsRendererAlone)
 
 TEST_F(MarkWidget, BindingsAndPrioritiesCanBeChanged)
 {
-  vtkNew<ConstraintMarkWidget> above;
+  vtkNew<vtkHoldfastConstraintMarkWidget> above;
   above->SetPriority(0.6F);
   enable(*above);
   const CallDataLog<ConstraintPick> first(*above, vtkCommand::PickEvent);

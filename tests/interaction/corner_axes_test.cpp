@@ -14,7 +14,7 @@
 
 #include <holdfast/widgets/camera/camera_state.h>
 
-#include "holdfast/widgets/interaction/stock_widgets.h"
+#include "holdfast/widgets/interaction/vtkHoldfastOrientationWidget.h"
 #include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
 
@@ -55,7 +55,7 @@ struct OrientationOfGrid : testing::Test, test::InteractionFixture {
 
   [[nodiscard]] Vector3 sight() const { return Vector3(renderer().GetActiveCamera()->GetDirectionOfProjection()); }
 
-  vtkNew<OrientationWidget> widget;
+  vtkNew<vtkHoldfastOrientationWidget> widget;
 };
 
 TEST_F(OrientationOfGrid, ABallLooksFromItsEndAndTheOneThatFacesTheViewerFromBehind)

@@ -11,9 +11,10 @@
 
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/widgets/camera/display_transform.h>
-#include <holdfast/widgets/interaction/gizmo_widget.h>
-#include <holdfast/widgets/interaction/surface_camera_style.h>
-#include <holdfast/widgets/interaction/surface_point_placer.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoRepresentation.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoWidget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCameraStyle.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfacePointPlacer.h>
 #include <holdfast/widgets/scene/scene_contents.h>
 
 #include "interaction/gizmo_fixture.h"
@@ -60,8 +61,8 @@ struct ExampleScene : test::InteractionFixture {
   }
 
   SceneContents contents;
-  vtkNew<SurfaceCameraStyle> style;
-  vtkNew<SurfacePointPlacer> placer;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfacePointPlacer> placer;
 };
 
 /// How far the shape is from that at rest after the affine map that fits best, model units.
@@ -192,8 +193,8 @@ TEST_F(DragPointExample, IsPicturedAtWork)
 {
   play(kRecording);
   scene.contents.setPositions(positions);
-  vtkNew<GizmoWidget> gizmo;
-  GizmoRepresentation& arrows = *gizmo->GetGizmoRepresentation();
+  vtkNew<vtkHoldfastGizmoWidget> gizmo;
+  vtkHoldfastGizmoRepresentation& arrows = *gizmo->GetGizmoRepresentation();
   arrows.SetMotions(GizmoMotions::Moves);
   arrows.SetFrame(movedPlaceOf(pickAt(pressed[pressed.size() - 2])), Eigen::Matrix3d::Identity());
   scene.enable(*gizmo);

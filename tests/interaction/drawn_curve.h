@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/surface/edge_graph.h>
-#include <holdfast/widgets/interaction/surface_curve_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCurveRepresentation.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCurveWidget.h>
 
 #include "interaction/interaction_fixture.h"
 #include "interaction/widget_events.h"
@@ -39,7 +40,7 @@ class DrawnCurve {
   }
 
   [[nodiscard]] Mouse& mouse() { return fixture.mouse(); }
-  [[nodiscard]] SurfaceCurveRepresentation& curve() { return *widget->GetSurfaceCurveRepresentation(); }
+  [[nodiscard]] vtkHoldfastSurfaceCurveRepresentation& curve() { return *widget->GetSurfaceCurveRepresentation(); }
   void click(Index vertex) { mouse().click(fixture.pixelOfVertex(vertex)); }
   void click(const std::vector<Index>& vertices)
   {
@@ -47,7 +48,7 @@ class DrawnCurve {
   }
 
   InteractionFixture fixture;
-  vtkNew<SurfaceCurveWidget> widget;
+  vtkNew<vtkHoldfastSurfaceCurveWidget> widget;
   std::vector<unsigned long> events;
   std::vector<Index> placed;
   std::vector<Index> told;

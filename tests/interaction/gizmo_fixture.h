@@ -6,7 +6,7 @@
 
 #include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
-#include <holdfast/widgets/interaction/gizmo_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoRepresentation.h>
 
 #include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
@@ -29,7 +29,7 @@ struct GizmoFixture : InteractionFixture {
 };
 
 /// Returns the pixel of a place that is given along the gizmo's axes, in radii of its outer ring.
-[[nodiscard]] inline DisplayPoint placeOnGizmo(GizmoRepresentation& gizmo, const Vector3& place)
+[[nodiscard]] inline DisplayPoint placeOnGizmo(vtkHoldfastGizmoRepresentation& gizmo, const Vector3& place)
 {
   const DisplayTransform view(*gizmo.GetRenderer());
   const GizmoFrame& frame = gizmo.GetFrame();
@@ -38,7 +38,7 @@ struct GizmoFixture : InteractionFixture {
 }
 
 /// The middle of the shaft of an arrow.
-[[nodiscard]] inline DisplayPoint placeOnArrow(GizmoRepresentation& gizmo, int axis)
+[[nodiscard]] inline DisplayPoint placeOnArrow(vtkHoldfastGizmoRepresentation& gizmo, int axis)
 {
   return placeOnGizmo(gizmo, 0.5 * Vector3::Unit(axis));
 }

@@ -7,8 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/widgets/interaction/gizmo_widget.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoRepresentation.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoWidget.h>
 
 #include "interaction/gizmo_fixture.h"
 
@@ -17,8 +18,8 @@ namespace holdfast::test {
 /// The gizmo stands at (1.5, 1, 0), its axes are those of the world.
 struct GizmoHandled : testing::Test {
   GizmoFixture fixture;
-  vtkNew<GizmoWidget> widget;
-  GizmoRepresentation& gizmo = *widget->GetGizmoRepresentation();
+  vtkNew<vtkHoldfastGizmoWidget> widget;
+  vtkHoldfastGizmoRepresentation& gizmo = *widget->GetGizmoRepresentation();
   Mouse& mouse = fixture.mouse();
   DisplayPoint beside{5, 5};
   std::vector<GizmoPart> parts;

@@ -9,7 +9,7 @@
 
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
 
-#include "holdfast/widgets/interaction/gizmo_widget.h"
+#include "holdfast/widgets/interaction/vtkHoldfastGizmoRepresentation.h"
 #include "interaction/gizmo_fixture.h"
 
 namespace holdfast {
@@ -28,7 +28,7 @@ std::vector<int> bytesOf(const Color& color)
 /// Without a widget: in the window, and nothing but a renderer knows of it.
 struct GizmoDrawn : testing::Test {
   GizmoFixture fixture;
-  vtkNew<GizmoRepresentation> gizmo;
+  vtkNew<vtkHoldfastGizmoRepresentation> gizmo;
 
   GizmoDrawn()
   {
@@ -80,9 +80,9 @@ TEST_F(GizmoDrawn, LiesInALayerOverAllAsLongAsItHasARenderer)
   window.SetNumberOfLayers(4);
   above->SetLayer(3);
   window.AddRenderer(above);
-  vtkNew<GizmoRepresentation> other;
+  vtkNew<vtkHoldfastGizmoRepresentation> other;
   for (int k = 0; k < 3; ++k)
-    for (GizmoRepresentation* one : {gizmo.Get(), other.Get()}) {
+    for (vtkHoldfastGizmoRepresentation* one : {gizmo.Get(), other.Get()}) {
       one->SetRenderer(nullptr);
       one->SetRenderer(&fixture.renderer());
     }
@@ -94,7 +94,7 @@ TEST_F(GizmoDrawn, LiesInALayerOverAllAsLongAsItHasARenderer)
 TEST_F(GizmoDrawn, TakesItsLayerAlongWhenItIsDeleted)
 {
   {
-    vtkNew<GizmoRepresentation> other;
+    vtkNew<vtkHoldfastGizmoRepresentation> other;
     other->SetRenderer(&fixture.renderer());
     EXPECT_EQ(fixture.window().GetRenderers()->GetNumberOfItems(), 3);
   }
@@ -213,7 +213,7 @@ TEST_F(GizmoDrawn, ShowsAPartThatIsChosenAlsoFromItsEnd)
 }
 
 /// Left, right, bottom and top of the label on the display.
-std::array<double, 4> labelBox(GizmoRepresentation& gizmo)
+std::array<double, 4> labelBox(vtkHoldfastGizmoRepresentation& gizmo)
 {
   std::array<double, 4> box{};
   gizmo.GetLabelActor()->GetBoundingBox(gizmo.GetLayer(), box.data());

@@ -8,7 +8,7 @@
 #include <vtkInteractorEventRecorder.h>
 
 #include <holdfast/widgets/interaction/interaction_events.h>
-#include <holdfast/widgets/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCameraStyle.h>
 
 #include "interaction/gizmo_handled.h"
 #include "support/temporary_folder.h"
@@ -120,7 +120,7 @@ TEST_F(GizmoHandled, EscapeBringsTheFrameBackBitForBit)
 
 TEST_F(GizmoHandled, CamerasGetWhatTheGizmoDoesNotUse)
 {
-  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
   fixture.interactor().SetInteractorStyle(style);
   vtkCamera& camera = *fixture.renderer().GetActiveCamera();
   const Vector3 eye(camera.GetPosition());

@@ -1,5 +1,3 @@
-#include "holdfast/widgets/interaction/gizmo_widget.h"
-
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -11,7 +9,9 @@
 #include <vtkWidgetEventTranslator.h>
 
 #include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoRepresentation.h>
 
+#include "holdfast/widgets/interaction/vtkHoldfastGizmoWidget.h"
 #include "interaction/gizmo_handled.h"
 
 namespace holdfast {
@@ -80,7 +80,7 @@ TEST_F(GizmoHandled, AProgramMayDisableItFromAnyEvent)
 {
   for (const unsigned long event : {vtkCommand::HighlightEvent, vtkCommand::StartInteractionEvent,
                                     vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent}) {
-    const unsigned long tag = widget->AddObserver(event, widget.Get(), &GizmoWidget::Off);
+    const unsigned long tag = widget->AddObserver(event, widget.Get(), &vtkHoldfastGizmoWidget::Off);
     const DisplayPoint place = arrow(0);
     mouse.press(place);
     mouse.moveTo(place + DisplayPoint(9, 9));
@@ -93,7 +93,7 @@ TEST_F(GizmoHandled, AProgramMayDisableItFromAnyEvent)
     gizmo.SetFrame({1.5, 1, 0}, Eigen::Matrix3d::Identity());
     widget->On();
     gizmo.VisibilityOn();
-    const unsigned long hider = widget->AddObserver(event, &gizmo, &GizmoRepresentation::VisibilityOff);
+    const unsigned long hider = widget->AddObserver(event, &gizmo, &vtkHoldfastGizmoRepresentation::VisibilityOff);
     grabArrow(0);
     mouse.release(beside);
     EXPECT_FALSE(widget->IsDragging());
@@ -110,7 +110,7 @@ TEST_F(GizmoHandled, AProgramMayDisableItFromAnyEvent)
 
 TEST_F(GizmoHandled, GoesWithItsWindow)
 {
-  vtkNew<GizmoWidget> other;
+  vtkNew<vtkHoldfastGizmoWidget> other;
   {
     GizmoFixture gone;
     other->SetInteractor(&gone.interactor());
@@ -121,14 +121,14 @@ TEST_F(GizmoHandled, GoesWithItsWindow)
   {
     GizmoFixture left;
     {
-      vtkNew<GizmoWidget> gone;
+      vtkNew<vtkHoldfastGizmoWidget> gone;
       gone->SetInteractor(&left.interactor());
       gone->On();
     }
     EXPECT_FALSE(left.interactor().HasObserver(vtkCommand::MiddleButtonPressEvent));
   }
   {
-    vtkNew<GizmoWidget> deleted;
+    vtkNew<vtkHoldfastGizmoWidget> deleted;
     deleted->SetInteractor(&fixture.interactor());
     deleted->On();
     ASSERT_EQ(fixture.window().GetRenderers()->GetNumberOfItems(), 3);
@@ -147,10 +147,10 @@ TEST_F(GizmoHandled, ActsInItsOwnRendererAlone)
   right->SetViewport(0.5, 0, 1, 1);
   right->SetActiveCamera(fixture.renderer().GetActiveCamera());
   fixture.window().AddRenderer(right);
-  vtkNew<GizmoWidget> other;
+  vtkNew<vtkHoldfastGizmoWidget> other;
   other->SetInteractor(&fixture.interactor());
   other->SetCurrentRenderer(right);
-  GizmoRepresentation& otherGizmo = *other->GetGizmoRepresentation();
+  vtkHoldfastGizmoRepresentation& otherGizmo = *other->GetGizmoRepresentation();
   otherGizmo.SetPixelSize(test::kGizmoRadius);
   otherGizmo.SetFrame({1.5, 1, 0}, Eigen::Matrix3d::Identity());
   other->On();

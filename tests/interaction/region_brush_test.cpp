@@ -5,7 +5,7 @@
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
 
-#include <holdfast/widgets/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCameraStyle.h>
 
 #include "interaction/region_window.h"
 
@@ -117,7 +117,7 @@ TEST_F(RegionsOfGrid, AStrokeGoesOnWhereTheSurfaceMovesMeanwhile)
 
 TEST_F(RegionsOfGrid, APressBesideTheSurfaceIsLeftToTheCamera)
 {
-  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
   fixture.interactor().SetInteractorStyle(style);
   const auto cameraAfter = [this](const std::vector<DisplayPoint>& way) {
     mouse().drag(way);
@@ -152,7 +152,7 @@ TEST_F(RegionsOfGrid, TheBrushFollowsTheCursorAndVanishesWithIt)
 
 TEST_F(RegionsOfGrid, HoveringEndsWhileTheCameraMoves)
 {
-  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
   fixture.interactor().SetInteractorStyle(style);
   mouse().press({3, 3});
   // The style begins with this one, which it sees after the widget.
@@ -184,7 +184,7 @@ TEST_F(RegionsOfGrid, BracketsSizeTheBrushWithinItsLimits)
 
 TEST_F(RegionsOfGrid, TheCircleOfTheBrushIsHiddenWhileTheCameraMoves)
 {
-  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
   style->SetSurface(fixture.surface());
   fixture.interactor().SetInteractorStyle(style);
   mouse().moveTo(pixelOf(5, 4));

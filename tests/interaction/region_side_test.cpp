@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 
-#include <holdfast/widgets/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCameraStyle.h>
 
 #include "interaction/region_window.h"
 #include "support/law_meshes.h"
@@ -63,7 +63,7 @@ TEST_F(RegionsOfBox, ADoubleClickSelectsTheConnectedPart)
 
 TEST_F(RegionsOfBox, ADragFromASideTurnsThePictureAndSelectsNothing)
 {
-  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
   fixture.interactor().SetInteractorStyle(style);
   const Vector3 eye(fixture.renderer().GetActiveCamera()->GetPosition());
   mouse().drag({onTop, onTop + DisplayPoint(6, 0), onTop + DisplayPoint(30, 5)});

@@ -1,5 +1,3 @@
-#include "holdfast/widgets/interaction/region_widget.h"
-
 #include <sstream>
 #include <utility>
 
@@ -16,6 +14,7 @@
 
 #include <holdfast/io/mesh_file.h>
 
+#include "holdfast/widgets/interaction/vtkHoldfastRegionWidget.h"
 #include "interaction/region_window.h"
 #include "support/source_tree.h"
 #include "support/temporary_folder.h"
@@ -64,7 +63,7 @@ TEST_F(RegionsOfGrid, ObserversMayDisableTheWidgetAtAnyEvent)
   for (const RegionShape shape : {RegionShape::Brush, RegionShape::Rectangle, RegionShape::Side}) {
     for (const unsigned long event : {kBegins, kMoves, kEnds}) {
       widget->SetShape(shape);
-      const unsigned long tag = widget->AddObserver(event, widget.Get(), &RegionWidget::Off);
+      const unsigned long tag = widget->AddObserver(event, widget.Get(), &vtkHoldfastRegionWidget::Off);
       mouse().drag({pixelOf(2, 2), pixelOf(2.02, 2.02), pixelOf(2.03, 2)});
       mouse().drag({pixelOf(2, 2), pixelOf(5, 5), pixelOf(6, 5)});
       widget->RemoveObserver(tag);

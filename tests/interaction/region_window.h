@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/widgets/interaction/region_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastRegionWidget.h>
 
 #include "interaction/interaction_fixture.h"
 #include "interaction/widget_events.h"
@@ -60,7 +60,7 @@ class RegionWindow {
   [[nodiscard]] double pixelsOfUnit() const { return (pixelOf(1, 0) - pixelOf(0, 0)).norm(); }
 
   InteractionFixture fixture;
-  vtkNew<RegionWidget> widget;
+  vtkNew<vtkHoldfastRegionWidget> widget;
   std::vector<Index> before;
   std::vector<Index> selected;
   std::vector<unsigned long> events;

@@ -1,5 +1,3 @@
-#include "holdfast/widgets/interaction/rotation_sphere_style.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vtkCallbackCommand.h>
@@ -9,6 +7,7 @@
 #include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/widgets/scene/example_document.h>
 
+#include "holdfast/widgets/interaction/vtkHoldfastRotationSphereStyle.h"
 #include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
 #include "widgets/sphere_place.h"
@@ -40,7 +39,7 @@ struct SphereInWindow : testing::Test {
   InteractionFixture fixture{test::grid(1, 1)};
   const ExampleDocument example = exampleDocument();
   RotationSphere sphere;
-  vtkNew<RotationSphereStyle> style;
+  vtkNew<vtkHoldfastRotationSphereStyle> style;
 };
 
 TEST_F(SphereInWindow, ADragTurnsItAsIfTheHandHeldIt)

@@ -4,7 +4,7 @@
 #include <vtkImplicitPlaneWidget2.h>
 #include <vtkRenderWindow.h>
 
-#include "holdfast/widgets/interaction/stock_widgets.h"
+#include "holdfast/widgets/interaction/vtkHoldfastSectionPlaneRepresentation.h"
 #include "interaction/interaction_fixture.h"
 #include "support/law_meshes.h"
 #include "support/meshes.h"
@@ -48,7 +48,7 @@ struct CutSphere : testing::Test, test::InteractionFixture {
   }
 
   vtkNew<vtkImplicitPlaneWidget2> widget;
-  vtkNew<SectionPlaneRepresentation> plane;
+  vtkNew<vtkHoldfastSectionPlaneRepresentation> plane;
 };
 
 // On the plane: before the surface behind it, beside it, and what handles there are.

@@ -1,5 +1,3 @@
-#include "holdfast/widgets/interaction/surface_camera_style.h"
-
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -14,6 +12,7 @@
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 
+#include "holdfast/widgets/interaction/vtkHoldfastSurfaceCameraStyle.h"
 #include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
 
@@ -53,7 +52,7 @@ struct CameraOfBox : testing::Test {
   }
 
   InteractionFixture fixture{test::box({2, 2, 2}, 4)};
-  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
   DisplayPoint at;  // a pixel of the box, and what is under it
   Vector3 under;
 };

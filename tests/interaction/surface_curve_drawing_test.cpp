@@ -3,7 +3,7 @@
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
 
-#include <holdfast/widgets/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCameraStyle.h>
 
 #include "interaction/drawn_curve.h"
 
@@ -120,7 +120,7 @@ TEST_F(CurveOnGrid, APlaceIsNoPlaceAgain)
 
 TEST_F(CurveOnGrid, ADragFromAnywhereTurnsThePicture)
 {
-  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
   fixture.interactor().SetInteractorStyle(style);
   const Vector3 eye(fixture.renderer().GetActiveCamera()->GetPosition());
   const DisplayPoint at = fixture.pixelOfVertex(24);
@@ -164,7 +164,7 @@ TEST_F(CurveOnGrid, TheWayToTheCursorIsShown)
 
 TEST_F(CurveOnGrid, HoveringWaitsWhileTheCameraMoves)
 {
-  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
   fixture.interactor().SetInteractorStyle(style);
   mouse().press({3, 3});
   // The style begins with this one, which it sees after the widget.

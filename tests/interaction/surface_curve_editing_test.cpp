@@ -110,7 +110,7 @@ TEST_F(CurveOnGrid, ProgramsSetCloseAndClear)
 
 TEST_F(CurveOnGrid, PlacesNeedNoWindow)
 {
-  vtkNew<SurfaceCurveWidget> apart;
+  vtkNew<vtkHoldfastSurfaceCurveWidget> apart;
   EXPECT_FALSE(apart->SetPlaces({24, 29, 73}));
   apart->SetSurface(fixture.surface());
   EXPECT_FALSE(apart->SetPlaces({24, 29, 73}));

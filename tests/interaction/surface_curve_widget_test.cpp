@@ -1,5 +1,3 @@
-#include "holdfast/widgets/interaction/surface_curve_widget.h"
-
 #include <sstream>
 #include <utility>
 
@@ -13,6 +11,7 @@
 #include <vtkWidgetEvent.h>
 #include <vtkWidgetEventTranslator.h>
 
+#include "holdfast/widgets/interaction/vtkHoldfastSurfaceCurveWidget.h"
 #include "interaction/drawn_curve.h"
 #include "support/meshes.h"
 #include "support/temporary_folder.h"
@@ -73,7 +72,7 @@ TEST_F(CurveOnGrid, DisablingKeepsTheCurve)
 TEST_F(CurveOnGrid, ObserversMayTakeAllAwayAtAnyEvent)
 {
   for (const unsigned long event : {kBegins, kPlaces, kChanges, kMoves, kEnds}) {
-    const unsigned long tag = widget->AddObserver(event, widget.Get(), &SurfaceCurveWidget::Clear);
+    const unsigned long tag = widget->AddObserver(event, widget.Get(), &vtkHoldfastSurfaceCurveWidget::Clear);
     click({24, 29, 73});
     mouse().key("Return");
     mouse().drag({fixture.pixelOfVertex(29), fixture.pixelOfVertex(30), fixture.pixelOfVertex(41)});

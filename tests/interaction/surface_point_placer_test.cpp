@@ -1,7 +1,6 @@
-#include "holdfast/widgets/interaction/surface_point_placer.h"
-
 #include <gtest/gtest.h>
 
+#include "holdfast/widgets/interaction/vtkHoldfastSurfacePointPlacer.h"
 #include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
 
@@ -12,7 +11,7 @@ using test::InteractionFixture;
 
 struct PlacerOnGrid : testing::Test {
   InteractionFixture fixture{test::grid(4, 3)};
-  vtkNew<SurfacePointPlacer> placer;
+  vtkNew<vtkHoldfastSurfacePointPlacer> placer;
   double world[3] = {7, 7, 7};
   double orient[9] = {};
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 
-#include <holdfast/widgets/interaction/surface_point_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfacePointWidget.h>
 
 #include "interaction/interaction_fixture.h"
 #include "support/law_meshes.h"
@@ -19,7 +19,7 @@ struct PreviewFixture : test::InteractionFixture {
     enable(*widget);
   }
 
-  vtkNew<SurfacePointWidget> widget;
+  vtkNew<vtkHoldfastSurfacePointWidget> widget;
 };
 
 // The accent colour, and that of halos, in a picture.

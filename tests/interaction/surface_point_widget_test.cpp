@@ -1,5 +1,3 @@
-#include "holdfast/widgets/interaction/surface_point_widget.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
@@ -13,8 +11,9 @@
 #include <vtkWidgetEventTranslator.h>
 
 #include <holdfast/widgets/interaction/interaction_events.h>
-#include <holdfast/widgets/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCameraStyle.h>
 
+#include "holdfast/widgets/interaction/vtkHoldfastSurfacePointWidget.h"
 #include "interaction/call_data_log.h"
 #include "interaction/interaction_fixture.h"
 #include "interaction/recorded_gesture.h"
@@ -51,7 +50,7 @@ struct PointWidgetFixture : InteractionFixture {
   /// Inside of the triangle below the diagonal of the square with this lower left vertex.
   [[nodiscard]] DisplayPoint inFace(double x, double y) const { return pixelOf({x + 0.65, y + 0.35, 0}); }
 
-  vtkNew<SurfacePointWidget> widget;
+  vtkNew<vtkHoldfastSurfacePointWidget> widget;
   CallDataLog<SurfacePick> shown{*widget, vtkCommand::InteractionEvent};
   CallDataLog<SurfacePick> placed{*widget, vtkCommand::PlacePointEvent};
   CallDataLog<PickKind> kinds{*widget, vtkCommand::WidgetValueChangedEvent};
@@ -103,7 +102,7 @@ TEST_F(PointWidgetOnGrid, GoesWithTheCursor)
 
 TEST_F(PointWidgetOnGrid, ADragIsNoClickAndBelongsToTheCamera)
 {
-  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
   interactor().SetInteractorStyle(style);
   const DisplayPoint from = pixelOfVertex(6);
   const Vector3 before(renderer().GetActiveCamera()->GetPosition());
@@ -179,7 +178,7 @@ TEST_F(PointWidgetOnGrid, BindingsCanBeChanged)
   vtkWidgetEventTranslator& translator = *widget->GetEventTranslator();
   translator.RemoveTranslation(vtkCommand::CharEvent, vtkEvent::NoModifier, 'v', 0, nullptr);
   translator.SetTranslation(vtkCommand::CharEvent, vtkEvent::NoModifier, 'k', 0, nullptr,
-                            SurfacePointWidget::ChooseVertices);
+                            vtkHoldfastSurfacePointWidget::ChooseVertices);
   translator.RemoveTranslation(vtkCommand::LeftButtonReleaseEvent);
   EXPECT_FALSE(widget->WantsKey('v'));
   EXPECT_TRUE(widget->WantsKey('k'));
@@ -287,7 +286,7 @@ TEST_F(PointWidgetOnGrid, LeavesToAWidgetOfVTKAboveItWhatThatUses)
 
 TEST_F(PointWidgetOnGrid, CanBeEnabledBeforeThereIsASurface)
 {
-  vtkNew<SurfacePointWidget> early;
+  vtkNew<vtkHoldfastSurfacePointWidget> early;
   early->SetInteractor(&interactor());
   early->SetEnabled(1);
   const CallDataLog<SurfacePick> taken(*early, vtkCommand::PlacePointEvent);

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "holdfast/widgets/interaction/surface_ruler_widget.h"
+#include "holdfast/widgets/interaction/vtkHoldfastSurfaceRulerRepresentation.h"
 #include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
 
@@ -23,7 +23,7 @@ struct Arrow : InteractionFixture, testing::Test {
     renderer().AddViewProp(arrow);
   }
 
-  vtkNew<SurfaceRulerRepresentation> arrow;
+  vtkNew<vtkHoldfastSurfaceRulerRepresentation> arrow;
 };
 
 TEST_F(Arrow, SaysItsComponentsOnlyWhereTheyAreAskedFor)

@@ -1,5 +1,3 @@
-#include "holdfast/widgets/interaction/surface_ruler_widget.h"
-
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -11,9 +9,10 @@
 #include <vtkWidgetEvent.h>
 #include <vtkWidgetEventTranslator.h>
 
-#include <holdfast/widgets/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCameraStyle.h>
 #include <holdfast/words/error.h>
 
+#include "holdfast/widgets/interaction/vtkHoldfastSurfaceRulerWidget.h"
 #include "interaction/call_data_log.h"
 #include "interaction/interaction_fixture.h"
 #include "interaction/recorded_gesture.h"
@@ -61,7 +60,7 @@ struct RulerFixture : InteractionFixture {
     return at ? at->vertex : -1;
   }
 
-  vtkNew<SurfaceRulerWidget> widget;
+  vtkNew<vtkHoldfastSurfaceRulerWidget> widget;
   test::EventLog log{*widget, {kBegins, kMoves, kPlaces, kEnds, kCancels}};
   test::CallDataLog<int> placed{*widget, kPlaces};
 };
@@ -111,7 +110,7 @@ TEST_F(Ruler, NothingBeginsBesideTheSurface)
 
 TEST_F(Ruler, TheCameraTurnsBetweenTheClicks)
 {
-  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
   interactor().SetInteractorStyle(style);
   const auto eye = [&] { return Vector3(renderer().GetActiveCamera()->GetPosition()); };
   mouse().click(pixelOfVertex(5));
@@ -132,7 +131,7 @@ TEST_F(Ruler, TheCameraTurnsBetweenTheClicks)
 
 TEST_F(Ruler, EndsCanBeDragged)
 {
-  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style;
   interactor().SetInteractorStyle(style);
   draw(5, 13);
   log.clear();
@@ -241,7 +240,7 @@ TEST_F(Ruler, IsSetFromOutside)
 
 TEST_F(Ruler, CanBeSetBeforeItIsEnabled)
 {
-  vtkNew<SurfaceRulerWidget> early;
+  vtkNew<vtkHoldfastSurfaceRulerWidget> early;
   early->SetSurface(surface());
   early->SetLocations(AtVertex{0}, AtVertex{4});
   EXPECT_EQ(early->GetDistance(), 4);

@@ -15,7 +15,7 @@
 #include <vtkTextProperty.h>
 #include <vtkTexture.h>
 
-#include <holdfast/widgets/interaction/gizmo_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoRepresentation.h>
 #include <holdfast/widgets/scene/scene.h>
 
 #include "render/compare_pictures.h"
@@ -33,7 +33,7 @@ constexpr double kPixels = 100;  // of the picture
 struct GizmoScene {
   Model model = makeModel(test::box({6, 2, 1}, 8), "slab");
   Scene scene{model, atRest(model), {kPictureSize, ColorBy::None, Legend::Hidden, ""}};
-  vtkNew<GizmoRepresentation> gizmo;
+  vtkNew<vtkHoldfastGizmoRepresentation> gizmo;
 
   GizmoScene()
   {
@@ -167,7 +167,7 @@ TEST(GizmoPicture, ShowsTheCenterWhereItIsAndOverTheSurface)
 }
 
 /// The letters of the gizmo, x first.
-std::vector<vtkTextActor*> lettersOf(const GizmoRepresentation& gizmo)
+std::vector<vtkTextActor*> lettersOf(const vtkHoldfastGizmoRepresentation& gizmo)
 {
   std::vector<vtkTextActor*> letters;
   vtkPropCollection& props = *gizmo.GetLayer()->GetViewProps();
@@ -211,7 +211,7 @@ TEST(GizmoPicture, IsTheSceneAloneWhileHidden)
 }
 
 /// Returns when VTK drew each text of the gizmo as an image, which is loaded onto the graphics card then.
-std::vector<vtkMTimeType> textTimes(const GizmoRepresentation& gizmo)
+std::vector<vtkMTimeType> textTimes(const vtkHoldfastGizmoRepresentation& gizmo)
 {
   std::vector<vtkMTimeType> times;
   for (vtkTextActor* const letter : lettersOf(gizmo)) times.push_back(letter->GetTexture()->GetInput()->GetMTime());

@@ -1,5 +1,3 @@
-#include "holdfast/widgets/mesh/deform_filter.h"
-
 #include <gtest/gtest.h>
 #include <vtkCommand.h>
 #include <vtkNew.h>
@@ -9,6 +7,7 @@
 #include <holdfast/deform/fields.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
+#include "holdfast/widgets/mesh/vtkHoldfastDeform.h"
 #include "support/meshes.h"
 #include "support/point_constraints.h"
 
@@ -45,7 +44,7 @@ struct FilteredGrid : testing::Test {
 
   const Mesh mesh = test::grid(3, 2);
   vtkNew<vtkPolyData> input;
-  vtkNew<DeformFilter> filter;
+  vtkNew<vtkHoldfastDeform> filter;
   vtkNew<Count> errors;
   vtkNew<Count> steps;
 };

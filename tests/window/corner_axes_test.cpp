@@ -16,7 +16,7 @@
 #include <vtkRendererCollection.h>
 
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/widgets/interaction/surface_ruler_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceRulerWidget.h>
 #include <holdfast/window/tools/tools.h>
 
 #include "gestures.h"
@@ -173,7 +173,7 @@ TEST_F(OrientationInCorner, NoToolGetsWhatItTakes)
     EXPECT_EQ(editor().history().state(), state) << tool;
     EXPECT_TRUE(editor().selectedVertices().empty()) << tool;
   }
-  const auto& ruler = *static_cast<ToolOf<SurfaceRulerWidget>*>(window.findChild<Tool*>("rulerTool"));
+  const auto& ruler = *static_cast<ToolOf<vtkHoldfastSurfaceRulerWidget>*>(window.findChild<Tool*>("rulerTool"));
   EXPECT_FALSE(ruler.widget().GetLocation(0));
 }
 

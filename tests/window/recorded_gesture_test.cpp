@@ -17,9 +17,10 @@
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/constraint_drag.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/widgets/interaction/gizmo_widget.h>
-#include <holdfast/widgets/interaction/region_widget.h>
-#include <holdfast/widgets/interaction/surface_point_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoRepresentation.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoWidget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastRegionWidget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfacePointWidget.h>
 #include <holdfast/window/tools/gizmo_tool.h>
 
 #include "gestures.h"
@@ -134,9 +135,9 @@ class PlainProgram {
   std::shared_ptr<const VisibleSurface> surface_;
   test::PlainScreen screen_;
   vtkNew<vtkRenderWindowInteractor> interactor_;
-  vtkNew<SurfacePointWidget> points_;
-  vtkNew<GizmoWidget> gizmo_;
-  vtkNew<RegionWidget> brush_;
+  vtkNew<vtkHoldfastSurfacePointWidget> points_;
+  vtkNew<vtkHoldfastGizmoWidget> gizmo_;
+  vtkNew<vtkHoldfastRegionWidget> brush_;
   ConstraintList list_;
   std::unique_ptr<ConstraintDrag> drag_;
   Vector3 pivot_ = Vector3::Zero();

@@ -10,7 +10,7 @@
 #include <vtkPropCollection.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/widgets/interaction/surface_ruler_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceRulerRepresentation.h>
 
 #include "open_document.h"
 #include "support/meshes.h"
@@ -84,7 +84,7 @@ class RelativeToolOnSheet : public test::WindowUser {
     std::vector<std::string> labels;
     vtkPropCollection& props = *viewport().widgetRenderer().GetViewProps();
     for (int k = 0; k < props.GetNumberOfItems(); ++k)
-      if (auto* ruler = SurfaceRulerRepresentation::SafeDownCast(props.GetItemAsObject(k)))
+      if (auto* ruler = vtkHoldfastSurfaceRulerRepresentation::SafeDownCast(props.GetItemAsObject(k)))
         if (ruler->GetVisibility() != 0 && ruler->IsPlaced()) labels.push_back(ruler->GetLabel());
     return labels;
   }

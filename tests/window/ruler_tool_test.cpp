@@ -10,7 +10,8 @@
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/widgets/interaction/surface_ruler_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceRulerRepresentation.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceRulerWidget.h>
 #include <holdfast/window/tools/tools.h>
 #include <holdfast/window/viewport/viewport_overlay.h>
 
@@ -32,15 +33,15 @@ class RulerInWindow : public test::WindowUser {
     ASSERT_TRUE(find<QAction>("toolRuler").isChecked());
   }
 
-  [[nodiscard]] SurfaceRulerWidget& ruler()
+  [[nodiscard]] vtkHoldfastSurfaceRulerWidget& ruler()
   {
-    return static_cast<ToolOf<SurfaceRulerWidget>*>(window.findChild<Tool*>("rulerTool"))->widget();
+    return static_cast<ToolOf<vtkHoldfastSurfaceRulerWidget>*>(window.findChild<Tool*>("rulerTool"))->widget();
   }
 
   /// What is drawn.
   [[nodiscard]] std::string label()
   {
-    SurfaceRulerRepresentation& shown = *ruler().GetRulerRepresentation();
+    vtkHoldfastSurfaceRulerRepresentation& shown = *ruler().GetRulerRepresentation();
     return shown.GetVisibility() != 0 && ruler().GetEnabled() != 0 ? shown.GetAxis()->GetTitle() : "";
   }
   /// What is written over the picture, and where.

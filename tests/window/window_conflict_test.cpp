@@ -156,7 +156,7 @@ TEST_F(HeldTwice, ConflictsWhereItIsDraggedAway)
 {
   editor().selectConstraints({second});
   ASSERT_TRUE(settle());
-  const GizmoRepresentation& gizmo = window.gizmo().gizmo();
+  const vtkHoldfastGizmoRepresentation& gizmo = window.gizmo().gizmo();
   ASSERT_TRUE(window.gizmo().widget().GetEnabled());
   const Vector3 center = gizmo.GetFrame().center;
   const QPointF step = seenAt(Vector3(center + Vector3::UnitZ())) - seenAt(center);

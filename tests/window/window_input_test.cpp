@@ -234,7 +234,7 @@ TEST_F(InputInWindow, TheCircleOfTheBrushGoesDuringDragsOfOtherThings)
   key(Qt::Key_B);
   const QPointF place = seenAt(freeVertex());
   const auto circle = [this] {
-    const auto* brush = dynamic_cast<const ToolOf<RegionWidget>*>(&window.findChild<ToolBox*>()->current());
+    const auto* brush = dynamic_cast<const ToolOf<vtkHoldfastRegionWidget>*>(&window.findChild<ToolBox*>()->current());
     return brush == nullptr ? std::size_t{0} : brush->widget().GetRegionRepresentation()->GetOutline().size();
   };
   test::moveMouse(viewport(), place);

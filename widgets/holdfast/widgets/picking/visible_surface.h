@@ -20,7 +20,7 @@ namespace holdfast {
 ///     auto surface = std::make_shared<const VisibleSurface>(model);
 ///     const auto positions = std::make_shared<const Positions>(result.positions);
 ///     surface = std::make_shared<const VisibleSurface>(surface->movedTo(positions));
-///     point->SetSurface(surface);  // SurfacePointWidget
+///     point->SetSurface(surface);  // vtkHoldfastSurfacePointWidget
 class VisibleSurface {
  public:
   /// Makes the surface at rest. `model` must stay alive as long as the surface. O(T log T).

@@ -8,7 +8,7 @@
 #include <vtkSmartPointer.h>
 
 #include <holdfast/widgets/color/coloring.h>
-#include <holdfast/widgets/interaction/rotation_sphere_style.h>
+#include <holdfast/widgets/interaction/vtkHoldfastRotationSphereStyle.h>
 #include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/window/controls/panel_parts.h>
@@ -75,7 +75,7 @@ class SpherePanel : public RefreshedPanel {
   QWidget* texts_ = nullptr;  // over the view
   bool isDrawingDue_ = false;
   vtkSmartPointer<vtkRenderer> renderer_;
-  vtkNew<RotationSphereStyle> style_;
+  vtkNew<vtkHoldfastRotationSphereStyle> style_;
   std::unique_ptr<RotationSphere> sphere_;  // from the first rotation that is to be shown
   std::shared_ptr<const DeformResult> shown_;
   std::shared_ptr<const PlacedRotations> placed_;  // the latest of this mesh

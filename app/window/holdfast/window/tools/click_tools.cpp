@@ -5,10 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include <holdfast/widgets/interaction/constraint_mark_widget.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
-#include <holdfast/widgets/interaction/surface_point_widget.h>
-#include <holdfast/widgets/interaction/surface_ruler_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastConstraintMarkWidget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceHandleRepresentation.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfacePointWidget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceRulerRepresentation.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceRulerWidget.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/tools/tools.h>
 #include <holdfast/words/error.h>
@@ -16,7 +18,7 @@
 namespace holdfast {
 namespace {
 
-class SelectTool : public ToolOf<ConstraintMarkWidget> {
+class SelectTool : public ToolOf<vtkHoldfastConstraintMarkWidget> {
  public:
   SelectTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
   {
@@ -46,7 +48,7 @@ class SelectTool : public ToolOf<ConstraintMarkWidget> {
   }
 };
 
-class PointTool : public ToolOf<SurfacePointWidget> {
+class PointTool : public ToolOf<vtkHoldfastSurfacePointWidget> {
  public:
   PointTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
   {
@@ -119,14 +121,14 @@ class ProbeTool final : public PointTool {
   }
 };
 
-class RelativeTool : public ToolOf<SurfaceRulerWidget> {
+class RelativeTool : public ToolOf<vtkHoldfastSurfaceRulerWidget> {
  public:
   RelativeTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
   {
     widget().AddObserver(vtkCommand::PlacePointEvent, this, &RelativeTool::forgetRefusal);
     widget().AddObserver(CancelInteractionEvent, this, &RelativeTool::forgetRefusal);
     widget().AddObserver(vtkCommand::EndInteractionEvent, this, &RelativeTool::keep);
-    for (SurfaceRulerRepresentation* const arrow : {widget().GetRulerRepresentation(), selected_.Get()}) {
+    for (vtkHoldfastSurfaceRulerRepresentation* const arrow : {widget().GetRulerRepresentation(), selected_.Get()}) {
       arrow->ShowVectorOn();
       arrow->LabelVisibilityOff();
     }
@@ -159,7 +161,7 @@ class RelativeTool : public ToolOf<SurfaceRulerWidget> {
 
   void followDisplay() override
   {
-    for (SurfaceRulerRepresentation* const arrow : {widget().GetRulerRepresentation(), selected_.Get()}) {
+    for (vtkHoldfastSurfaceRulerRepresentation* const arrow : {widget().GetRulerRepresentation(), selected_.Get()}) {
       arrow->SetPixelRatio(viewport().pixelRatio());
       arrow->SetUnits(editor().isOpen() ? editor().list().units : "");
     }
@@ -202,10 +204,10 @@ class RelativeTool : public ToolOf<SurfaceRulerWidget> {
   }
 
   QString refusal_;  // of the last two clicks; empty if they made a constraint
-  vtkNew<SurfaceRulerRepresentation> selected_;
+  vtkNew<vtkHoldfastSurfaceRulerRepresentation> selected_;
 };
 
-class RulerTool : public ToolOf<SurfaceRulerWidget> {
+class RulerTool : public ToolOf<vtkHoldfastSurfaceRulerWidget> {
  public:
   RulerTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
   {
@@ -300,7 +302,7 @@ class RulerTool : public ToolOf<SurfaceRulerWidget> {
     kept_.clear();
     for (std::size_t k = 0; k < rulers.size(); ++k) {
       if (current_ == static_cast<std::ptrdiff_t>(k)) continue;
-      SurfaceRulerRepresentation& ruler = *kept_.emplace_back();
+      vtkHoldfastSurfaceRulerRepresentation& ruler = *kept_.emplace_back();
       ruler.SetRenderer(&viewport().widgetRenderer());
       ruler.LabelVisibilityOff();
       ruler.SetPixelRatio(viewport().pixelRatio());
@@ -315,9 +317,9 @@ class RulerTool : public ToolOf<SurfaceRulerWidget> {
     viewport().scheduleWidgets();
   }
 
-  std::optional<std::ptrdiff_t> current_;                 // the ruler whose ends the widget has, in the list
-  bool isChanging_ = false;                               // this tool changes the list
-  std::vector<vtkNew<SurfaceRulerRepresentation>> kept_;  // all others
+  std::optional<std::ptrdiff_t> current_;                            // the ruler whose ends the widget has, in the list
+  bool isChanging_ = false;                                          // this tool changes the list
+  std::vector<vtkNew<vtkHoldfastSurfaceRulerRepresentation>> kept_;  // all others
 };
 
 }  // namespace

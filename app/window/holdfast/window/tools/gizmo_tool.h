@@ -6,7 +6,8 @@
 #include <memory>
 
 #include <holdfast/document/constraint_drag.h>
-#include <holdfast/widgets/interaction/gizmo_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoRepresentation.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoWidget.h>
 #include <holdfast/window/tools/moved_region.h>
 #include <holdfast/window/tools/tools.h>
 
@@ -26,7 +27,7 @@ enum class RotationOfMoves {
 };
 
 /// The tool shows the gizmo where the selected points and handles go, whichever tool is chosen. A drag is one edit.
-class GizmoTool : public ToolOf<GizmoWidget> {
+class GizmoTool : public ToolOf<vtkHoldfastGizmoWidget> {
  public:
   GizmoTool(Editor& editor, Viewport& viewport, QObject* parent);
 
@@ -58,7 +59,7 @@ class GizmoTool : public ToolOf<GizmoWidget> {
   [[nodiscard]] GizmoAxes axes() const noexcept { return axes_; }
   void setRotationOfMoves(RotationOfMoves turn) { rotationOfMoves_ = turn; }
 
-  [[nodiscard]] const GizmoRepresentation& gizmo() const noexcept { return gizmo_; }
+  [[nodiscard]] const vtkHoldfastGizmoRepresentation& gizmo() const noexcept { return gizmo_; }
   [[nodiscard]] MovedRegion& movedRegion() noexcept { return region_; }
   /// Tells whether the cursor is over a part of the gizmo, or drags it. `hint` applies then.
   [[nodiscard]] bool isTouched() const { return widget().GetPart() != GizmoPart::None; }
@@ -85,7 +86,7 @@ class GizmoTool : public ToolOf<GizmoWidget> {
     return font;
   }
 
-  GizmoRepresentation& gizmo_;
+  vtkHoldfastGizmoRepresentation& gizmo_;
   MovedRegion region_;
   GizmoAxes axes_ = GizmoAxes::World;
   RotationOfMoves rotationOfMoves_ = RotationOfMoves::AsConstraint;

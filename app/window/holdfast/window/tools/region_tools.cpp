@@ -5,14 +5,14 @@
 #include <vector>
 
 #include <holdfast/widgets/interaction/interaction_events.h>
-#include <holdfast/widgets/interaction/surface_curve_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCurveWidget.h>
 #include <holdfast/window/tools/tools.h>
 #include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {
 
-class RegionTool : public ToolOf<RegionWidget> {
+class RegionTool : public ToolOf<vtkHoldfastRegionWidget> {
  public:
   RegionTool(RegionShape shape, Editor& editor, Viewport& viewport, QAction& reachesThrough) : ToolOf(editor, viewport)
   {
@@ -80,7 +80,7 @@ class RegionTool : public ToolOf<RegionWidget> {
 
 constexpr std::size_t kLeastPlaces = 3;
 
-class CurveTool : public ToolOf<SurfaceCurveWidget> {
+class CurveTool : public ToolOf<vtkHoldfastSurfaceCurveWidget> {
  public:
   CurveTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
   {

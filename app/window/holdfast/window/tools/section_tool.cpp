@@ -7,7 +7,7 @@
 #include <vtkWidgetEventTranslator.h>
 
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
-#include <holdfast/widgets/interaction/stock_widgets.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSectionPlaneRepresentation.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 #include <holdfast/window/tools/tools.h>
 
@@ -98,7 +98,7 @@ class SectionTool : public QObject {
   Editor& editor_;
   Viewport& viewport_;
   QAction& isOn_;
-  vtkNew<SectionPlaneRepresentation> plane_;
+  vtkNew<vtkHoldfastSectionPlaneRepresentation> plane_;
   vtkNew<vtkImplicitPlaneWidget2> widget_;
   bool isPlaced_ = false;  // in this document
 };

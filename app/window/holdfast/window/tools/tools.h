@@ -6,7 +6,7 @@
 
 #include <vtkNew.h>
 
-#include <holdfast/widgets/interaction/region_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastRegionWidget.h>
 #include <holdfast/window/viewport/tool.h>
 #include <holdfast/window/viewport/viewport.h>
 

@@ -15,9 +15,9 @@
 
 #include <holdfast/document/session_file.h>
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/widgets/interaction/constraint_mark_widget.h>
-#include <holdfast/widgets/interaction/stock_widgets.h>
-#include <holdfast/widgets/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/vtkHoldfastConstraintMarkRepresentation.h>
+#include <holdfast/widgets/interaction/vtkHoldfastOrientationWidget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceCameraStyle.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/widgets/picking/visible_surface.h>
 #include <holdfast/widgets/scene/scene_contents.h>
@@ -221,9 +221,9 @@ class Viewport : public VtkView {
   vtkRenderWindow* window_ = renderWindow();
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkRenderer> widgetRenderer_;
-  vtkNew<SurfaceCameraStyle> style_;
-  vtkNew<OrientationWidget> orientation_;  // in the corner
-  vtkNew<ConstraintMarkRepresentation> marksUnderCursor_;
+  vtkNew<vtkHoldfastSurfaceCameraStyle> style_;
+  vtkNew<vtkHoldfastOrientationWidget> orientation_;  // in the corner
+  vtkNew<vtkHoldfastConstraintMarkRepresentation> marksUnderCursor_;
   std::unique_ptr<FrameScheduler> frames_;
   ViewportOverlay* overlay_;
 

@@ -10,7 +10,7 @@
 #include <vtkPropCollection.h>
 
 #include <holdfast/deform/outcomes.h>
-#include <holdfast/widgets/interaction/surface_ruler_widget.h>
+#include <holdfast/widgets/interaction/vtkHoldfastSurfaceRulerRepresentation.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 #include <holdfast/window/controls/theme.h>
 #include <holdfast/window/model/field_value.h>
@@ -39,7 +39,7 @@ bool isRotation(ColorBy field)
 }
 
 /// Returns the ruler's text with the decimals of the document.
-QString rulerText(SurfaceRulerRepresentation& ruler, const LengthStyle& style)
+QString rulerText(vtkHoldfastSurfaceRulerRepresentation& ruler, const LengthStyle& style)
 {
   if (!style.decimals) return toText(ruler.GetLabel());
   const Vector3 vector = ruler.GetVector();
@@ -260,7 +260,7 @@ ViewportOverlay::RulerLabels ViewportOverlay::currentRulerLabels() const
   const DisplayTransform display(viewport_.renderer());
   vtkPropCollection& props = *viewport_.widgetRenderer().GetViewProps();
   for (int k = 0; k < props.GetNumberOfItems(); ++k) {
-    auto* ruler = SurfaceRulerRepresentation::SafeDownCast(props.GetItemAsObject(k));
+    auto* ruler = vtkHoldfastSurfaceRulerRepresentation::SafeDownCast(props.GetItemAsObject(k));
     if (ruler == nullptr || ruler->GetVisibility() == 0 || !ruler->IsPlaced()) continue;
     const auto a = toDisplay(display, ruler->GetHandle(0).GetPlace());
     const auto b = toDisplay(display, ruler->GetHandle(1).GetPlace());

@@ -1,0 +1,47 @@
+#include "holdfast/widgets/interaction/vtkHoldfastConstraintMarkWidget.h"
+
+using namespace holdfast;
+
+vtkStandardNewMacro(vtkHoldfastConstraintMarkWidget);
+
+vtkHoldfastConstraintMarkWidget::vtkHoldfastConstraintMarkWidget()
+{
+  this->Bind<&vtkHoldfastConstraintMarkWidget::Hover>(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move);
+  this->Bind<&vtkHoldfastConstraintMarkWidget::Leave>(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave);
+  this->Bind<&vtkHoldfastConstraintMarkWidget::PressClick>(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select);
+  this->Bind<&vtkHoldfastConstraintMarkWidget::Release>(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect);
+}
+
+void vtkHoldfastConstraintMarkWidget::SetMarks(std::shared_ptr<const MarkSet> marks)
+{
+  this->Drawn().SetMarks(std::move(marks));
+  if (this->Highlighted && !this->Drawn().HasMarksOf(*this->Highlighted)) this->Leave();
+}
+
+std::optional<Index> vtkHoldfastConstraintMarkWidget::ConstraintAtCursor()
+{
+  if (!this->IsCursorInside()) return std::nullopt;
+  return this->Drawn().FindConstraint(this->Cursor().x(), this->Cursor().y());
+}
+
+void vtkHoldfastConstraintMarkWidget::Highlight(std::optional<Index> constraint)
+{
+  if (this->Highlighted == constraint) return;
+  this->Highlighted = constraint;
+  this->ShowCursor(constraint ? VTK_CURSOR_HAND : VTK_CURSOR_DEFAULT);
+  this->InvokeEvent(vtkCommand::HighlightEvent, constraint ? &*constraint : nullptr);
+}
+
+void vtkHoldfastConstraintMarkWidget::Hover()
+{
+  this->LeftClick.LeaveAt(this->Cursor(), this->Drawn().GetPixelRatio());
+  this->Highlight(isCameraMoving(*this->Interactor) ? std::nullopt : this->ConstraintAtCursor());
+}
+
+void vtkHoldfastConstraintMarkWidget::Release()
+{
+  if (!this->LeftClick.Release(this->Cursor(), this->Drawn().GetPixelRatio())) return;
+  ConstraintPick pick{this->ConstraintAtCursor(),
+                      this->Interactor->GetShiftKey() != 0 || this->Interactor->GetControlKey() != 0};
+  this->InvokeEvent(vtkCommand::PickEvent, &pick);
+}
