@@ -1,5 +1,6 @@
 #include <array>
 
+#include <gtest/gtest.h>
 #include <vtkCamera.h>
 #include <vtkImplicitPlaneWidget2.h>
 #include <vtkRenderWindow.h>

@@ -1,10 +1,14 @@
 #include <cstdlib>
 #include <fstream>
 
+#include <vtkNew.h>
+
 #include <holdfast/holdfast.h>
+#include <holdfast/widgets/interaction/vtkHoldfastGizmoWidget.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
-/// Deforms the bracket, writes fields over it, and expects that VTK would draw the deformed positions of that file.
+/// Deforms the bracket, writes fields over it, and expects that VTK would draw the deformed positions of that file. The
+/// name of a widget is that of its class.
 int main()
 {
   const holdfast::Model model = holdfast::makeModel(holdfast::readMesh("bracket.obj").mesh, "bracket.obj");
@@ -14,5 +18,7 @@ int main()
   std::ofstream("fields.vtp") << holdfast::fieldsToVtp(model.mesh, result.positions, fields, {}).bytes;
   const holdfast::Mesh read = holdfast::readMesh("fields.vtp").mesh;
   const holdfast::Positions written = holdfast::positionsOf(*holdfast::toPolyData(read, read.positions));
-  return written == result.positions && written != model.mesh.positions ? EXIT_SUCCESS : EXIT_FAILURE;
+  const vtkNew<vtkHoldfastGizmoWidget> gizmo;
+  const bool isNamed = gizmo->IsA("vtkHoldfastGizmoWidget") != 0;
+  return isNamed && written == result.positions && written != model.mesh.positions ? EXIT_SUCCESS : EXIT_FAILURE;
 }
