@@ -106,7 +106,9 @@ class DragPointExample : public testing::Test {
   }
   [[nodiscard]] SurfacePick pickAt(const DisplayPoint& pixel) const
   {
-    return scene.placer->Pick(scene.renderer(), pixel.data()).value();
+    SurfacePick pick;
+    EXPECT_TRUE(scene.placer->Pick(scene.renderer(), pixel.data(), pick));
+    return pick;
   }
   [[nodiscard]] Vector3 movedPlaceOf(const SurfacePick& pick) const
   {

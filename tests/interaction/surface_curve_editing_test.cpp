@@ -118,7 +118,7 @@ TEST_F(CurveOnGrid, PlacesNeedNoWindow)
   EXPECT_TRUE(apart->SetPlaces({24, 29, 73}));
   EXPECT_TRUE(apart->Close());
   EXPECT_EQ(apart->GetPath(), closedThrough({24, 29, 73}));
-  EXPECT_FALSE(apart->GetSurfaceCurveRepresentation()->VertexAt({200, 150}));
+  EXPECT_EQ(apart->GetSurfaceCurveRepresentation()->VertexAt({200, 150}), -1);
 }
 
 TEST_F(CurveOnGrid, VtksWaysToNodesKeepToVertices)

@@ -38,7 +38,7 @@ struct PreviewPicture : testing::Test {
     fixture.renderer().ResetCameraClippingRange();
     SurfacePick pick;
     pick.location = location;
-    fixture.widget->SetPreview(pick);
+    fixture.widget->SetPreview(&pick);
     return fixture.countPixels(kAccent, 30);
   }
 };

@@ -33,7 +33,7 @@ TEST_F(Arrow, SaysItsComponentsOnlyWhereTheyAreAskedFor)
   arrow->SetUnits("mm");
   arrow->ShowVectorOn();
   EXPECT_EQ(arrow->GetLabel(), "3.162 mm: 3, 1, 0 (rest 3.162)");
-  arrow->GetHandle(1).SetPlacement(std::nullopt);
+  arrow->GetHandle(1).SetPlacement(nullptr);
   EXPECT_EQ(arrow->GetVector(), Vector3(0, 0, 0));
 }
 

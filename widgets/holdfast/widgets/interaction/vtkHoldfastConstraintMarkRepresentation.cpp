@@ -14,15 +14,20 @@ bool vtkHoldfastConstraintMarkRepresentation::HasMarksOf(Index constraint) const
   return this->Marks && std::ranges::count(this->Marks->marks, constraint, &ConstraintMark::constraint) > 0;
 }
 
-std::optional<Index> vtkHoldfastConstraintMarkRepresentation::FindConstraint(double displayX, double displayY) const
+void vtkHoldfastConstraintMarkRepresentation::SetSection(const SectionPlane* section)
+{
+  assign(*this, this->Section, section != nullptr ? std::optional(*section) : std::nullopt);
+}
+
+Index vtkHoldfastConstraintMarkRepresentation::FindConstraint(double displayX, double displayY) const
 {
   // Users aim at single points, not at one vertex of a region in the same place.
   constexpr double kRegionHandicapPixels = 2;
-  if (this->Renderer == nullptr || !this->Marks) return std::nullopt;
+  if (this->Renderer == nullptr || !this->Marks) return -1;
   const DisplayTransform toDisplay(*this->Renderer);
   const DisplayPoint cursor = centerOfPixel(displayX, displayY);
   double nearest = this->ReachPixels * this->PixelRatio;
-  std::optional<Index> found;
+  Index found = -1;
   for (const ConstraintMark& mark : this->Marks->marks) {
     if (this->Section && !isKept(*this->Section, mark.place)) continue;
     const DisplayTransform::Shown shown = toDisplay.show(mark.place);
@@ -33,14 +38,14 @@ std::optional<Index> vtkHoldfastConstraintMarkRepresentation::FindConstraint(dou
     nearest = distance;
     found = mark.constraint;
   }
-  return found ? found : this->FindRegion(displayX, displayY);
+  return found >= 0 ? found : this->FindRegion(displayX, displayY);
 }
 
-std::optional<Index> vtkHoldfastConstraintMarkRepresentation::FindRegion(double displayX, double displayY) const
+Index vtkHoldfastConstraintMarkRepresentation::FindRegion(double displayX, double displayY) const
 {
-  if (!this->Surface) return std::nullopt;
+  if (!this->Surface) return -1;
   const auto pick = SurfacePicker(this->Surface).pick(*this->Renderer, displayX, displayY, PickKind::Face, 0);
-  if (!pick) return std::nullopt;
+  if (!pick) return -1;
   const Model& model = this->Surface->model();
   Triangle corners = model.triangulation.triangles[pick->triangle];
   for (int& corner : corners) corner = model.solverMesh.weld.unknownOf[corner];
@@ -50,5 +55,5 @@ std::optional<Index> vtkHoldfastConstraintMarkRepresentation::FindRegion(double 
     for (unsigned k = 0; mark.unknown >= 0 && k < 3; ++k)
       if (corners[k] == mark.unknown || corners[k] == mark.reference) held[mark.constraint] |= 1U << k;
   const auto first = std::ranges::find(held, kAll, [](const auto& each) { return each.second; });
-  return first != held.end() ? std::optional(first->first) : std::nullopt;
+  return first != held.end() ? first->first : -1;
 }

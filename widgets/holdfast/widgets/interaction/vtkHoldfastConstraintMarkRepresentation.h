@@ -28,8 +28,9 @@ class vtkHoldfastConstraintMarkRepresentation : public vtkWidgetRepresentation {
   /// by their marks only.
   void SetSurface(std::shared_ptr<const holdfast::VisibleSurface> surface) { this->Surface = std::move(surface); }
 
-  /// Sets the section plane. Marks whose places it cuts away are not found. By default there is no plane.
-  void SetSection(const std::optional<holdfast::SectionPlane>& section) { this->Section = section; }
+  /// Sets the section plane, which is copied. Marks whose places it cuts away are not found. With null, the default,
+  /// there is no plane.
+  void SetSection(const holdfast::SectionPlane* section);
 
   /// Sets how near to the cursor a mark is found, in pixels of a display of ordinary resolution. The default is 9.
   vtkSetClampMacro(ReachPixels, double, 0.0, VTK_DOUBLE_MAX);
@@ -38,8 +39,9 @@ class vtkHoldfastConstraintMarkRepresentation : public vtkWidgetRepresentation {
 
   /// Returns the constraint of the mark that is nearest to a pixel of the renderer's window, as a place in the list.
   /// The mark may be hidden by the surface. A mark of a single point comes before one of a region in the same place.
-  /// Without a mark near the pixel, it returns the first region that has all corners of the face there. O(marks).
-  [[nodiscard]] std::optional<holdfast::Index> FindConstraint(double displayX, double displayY) const;
+  /// Without a mark near the pixel, it returns the first region that has all corners of the face there. Without one it
+  /// returns -1. O(marks).
+  [[nodiscard]] holdfast::Index FindConstraint(double displayX, double displayY) const;
 
   /// Tells whether any mark is of this constraint. O(marks).
   [[nodiscard]] bool HasMarksOf(holdfast::Index constraint) const;
@@ -51,7 +53,7 @@ class vtkHoldfastConstraintMarkRepresentation : public vtkWidgetRepresentation {
   ~vtkHoldfastConstraintMarkRepresentation() override = default;
 
  private:
-  [[nodiscard]] std::optional<holdfast::Index> FindRegion(double displayX, double displayY) const;
+  [[nodiscard]] holdfast::Index FindRegion(double displayX, double displayY) const;
 
   std::shared_ptr<const holdfast::MarkSet> Marks;
   std::shared_ptr<const holdfast::VisibleSurface> Surface;

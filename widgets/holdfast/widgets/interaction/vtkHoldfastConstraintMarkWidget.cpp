@@ -15,27 +15,27 @@ vtkHoldfastConstraintMarkWidget::vtkHoldfastConstraintMarkWidget()
 void vtkHoldfastConstraintMarkWidget::SetMarks(std::shared_ptr<const MarkSet> marks)
 {
   this->Drawn().SetMarks(std::move(marks));
-  if (this->Highlighted && !this->Drawn().HasMarksOf(*this->Highlighted)) this->Leave();
+  if (this->Highlighted >= 0 && !this->Drawn().HasMarksOf(this->Highlighted)) this->Leave();
 }
 
-std::optional<Index> vtkHoldfastConstraintMarkWidget::ConstraintAtCursor()
+Index vtkHoldfastConstraintMarkWidget::ConstraintAtCursor()
 {
-  if (!this->IsCursorInside()) return std::nullopt;
+  if (!this->IsCursorInside()) return -1;
   return this->Drawn().FindConstraint(this->Cursor().x(), this->Cursor().y());
 }
 
-void vtkHoldfastConstraintMarkWidget::Highlight(std::optional<Index> constraint)
+void vtkHoldfastConstraintMarkWidget::Highlight(Index constraint)
 {
   if (this->Highlighted == constraint) return;
   this->Highlighted = constraint;
-  this->ShowCursor(constraint ? VTK_CURSOR_HAND : VTK_CURSOR_DEFAULT);
-  this->InvokeEvent(vtkCommand::HighlightEvent, constraint ? &*constraint : nullptr);
+  this->ShowCursor(constraint >= 0 ? VTK_CURSOR_HAND : VTK_CURSOR_DEFAULT);
+  this->InvokeEvent(vtkCommand::HighlightEvent, constraint >= 0 ? &constraint : nullptr);
 }
 
 void vtkHoldfastConstraintMarkWidget::Hover()
 {
   this->LeftClick.LeaveAt(this->Cursor(), this->Drawn().GetPixelRatio());
-  this->Highlight(isCameraMoving(*this->Interactor) ? std::nullopt : this->ConstraintAtCursor());
+  this->Highlight(isCameraMoving(*this->Interactor) ? -1 : this->ConstraintAtCursor());
 }
 
 void vtkHoldfastConstraintMarkWidget::Release()

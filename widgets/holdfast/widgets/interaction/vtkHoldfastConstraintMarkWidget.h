@@ -2,7 +2,6 @@
 /// Reports the constraint under the cursor, and the one that was clicked.
 
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include <holdfast/widgets/interaction/interaction_events.h>
@@ -14,8 +13,8 @@ namespace holdfast {
 
 /// The call data of `PickEvent`: what a click has chosen.
 struct ConstraintPick {
-  std::optional<Index> constraint;  ///< place in the list; none where the click was beside all constraints
-  bool isAdded = false;             ///< Shift or Ctrl was held: the constraint is to join or leave the selection
+  Index constraint = -1;  ///< place in the list; -1 where the click was beside all constraints
+  bool isAdded = false;   ///< Shift or Ctrl was held: the constraint is to join or leave the selection
 };
 
 }  // namespace holdfast
@@ -57,8 +56,8 @@ class vtkHoldfastConstraintMarkWidget : public holdfast::WidgetOf<vtkHoldfastCon
   }
   void SetPixelRatio(double ratio) { this->Drawn().SetPixelRatio(ratio); }
 
-  /// Returns the constraint that is highlighted because it is under the cursor; none where there is none.
-  [[nodiscard]] std::optional<holdfast::Index> GetHighlighted() const { return this->Highlighted; }
+  /// Returns the constraint that is highlighted because it is under the cursor; -1 where there is none.
+  [[nodiscard]] holdfast::Index GetHighlighted() const { return this->Highlighted; }
 
  protected:
   vtkHoldfastConstraintMarkWidget();
@@ -66,12 +65,12 @@ class vtkHoldfastConstraintMarkWidget : public holdfast::WidgetOf<vtkHoldfastCon
 
  private:
   void Hover();
-  void Leave() { this->Highlight(std::nullopt); }
+  void Leave() { this->Highlight(-1); }
   void Stop() override { this->Leave(); }
   void Release();
 
-  [[nodiscard]] std::optional<holdfast::Index> ConstraintAtCursor();
-  void Highlight(std::optional<holdfast::Index> constraint);
+  [[nodiscard]] holdfast::Index ConstraintAtCursor();
+  void Highlight(holdfast::Index constraint);
 
-  std::optional<holdfast::Index> Highlighted;
+  holdfast::Index Highlighted = -1;
 };

@@ -127,22 +127,22 @@ bool vtkHoldfastSurfaceCurveRepresentation::IsPossible(Index vertex, int moved) 
   return true;
 }
 
-bool vtkHoldfastSurfaceCurveRepresentation::InsertPlace(int n, std::optional<Index> vertex)
+bool vtkHoldfastSurfaceCurveRepresentation::InsertPlace(int n, Index vertex)
 {
   constexpr int kNoNode = -1;
-  if (n < 0 || n > this->GetNumberOfNodes() || !vertex || !this->IsPossible(*vertex, kNoNode)) return false;
+  if (n < 0 || n > this->GetNumberOfNodes() || !this->IsPossible(vertex, kNoNode)) return false;
   auto* node = new vtkContourRepresentationNode{};
   for (const int k : {0, 4, 8}) node->WorldOrientation[k] = 1;
   this->Internal->Nodes.insert(this->Internal->Nodes.begin() + n, node);
   return this->MovePlace(n, vertex);
 }
 
-bool vtkHoldfastSurfaceCurveRepresentation::MovePlace(int n, std::optional<Index> vertex)
+bool vtkHoldfastSurfaceCurveRepresentation::MovePlace(int n, Index vertex)
 {
-  if (!this->IsNode(n) || !vertex || !this->IsPossible(*vertex, n)) return false;
+  if (!this->IsNode(n) || !this->IsPossible(vertex, n)) return false;
   vtkContourRepresentationNode& node = *this->Internal->Nodes[static_cast<std::size_t>(n)];
-  node.PointId = *vertex;
-  Vector3::Map(node.WorldPosition) = this->PlaceOf(*vertex);
+  node.PointId = vertex;
+  Vector3::Map(node.WorldPosition) = this->PlaceOf(vertex);
   this->UpdateLines(n);
   this->NeedToRender = 1;
   return true;
@@ -159,12 +159,11 @@ void vtkHoldfastSurfaceCurveRepresentation::ClearAllNodes()
   this->BuildLines();
 }
 
-std::optional<Index> vtkHoldfastSurfaceCurveRepresentation::VertexAt(const DisplayPoint& pixel) const
+Index vtkHoldfastSurfaceCurveRepresentation::VertexAt(const DisplayPoint& pixel) const
 {
-  if (this->Renderer == nullptr) return std::nullopt;
-  const auto pick = this->Placer->Pick(*this->Renderer, pixel.data());
-  if (!pick) return std::nullopt;
-  return std::get<AtVertex>(pick->location).vertex;
+  SurfacePick pick;
+  if (this->Renderer == nullptr || !this->Placer->Pick(*this->Renderer, pixel.data(), pick)) return -1;
+  return std::get<AtVertex>(pick.location).vertex;
 }
 
 bool vtkHoldfastSurfaceCurveRepresentation::IsClosable() const
@@ -179,29 +178,29 @@ bool vtkHoldfastSurfaceCurveRepresentation::IsAtFirst(const DisplayPoint& pixel)
   return (first.head<2>() - centerOfPixel(pixel.x(), pixel.y())).norm() < kReachPixels * this->PixelRatio;
 }
 
-void vtkHoldfastSurfaceCurveRepresentation::SetPreview(std::optional<Index> vertex)
+void vtkHoldfastSurfaceCurveRepresentation::SetPreview(Index vertex)
 {
   std::vector<Index> way;
-  if (vertex && this->Internal->Nodes.empty())
-    way = {*vertex};
-  else if (vertex && this->ClosedLoop == 0)
-    way = this->Interpolator->Path(this->GetPlaces().back(), *vertex);
+  if (vertex >= 0 && this->Internal->Nodes.empty())
+    way = {vertex};
+  else if (vertex >= 0 && this->ClosedLoop == 0)
+    way = this->Interpolator->Path(this->GetPlaces().back(), vertex);
   if (way == this->Preview) return;
   this->Preview = std::move(way);
   this->NeedToRender = 1;
   this->Modified();
 }
 
-std::optional<Index> vtkHoldfastSurfaceCurveRepresentation::NearestVertex(const double place[3]) const
+Index vtkHoldfastSurfaceCurveRepresentation::NearestVertex(const double place[3]) const
 {
-  if (!this->Surface) return std::nullopt;
+  if (!this->Surface) return -1;
   const Vector3 at(place);
-  std::optional<Index> nearest;
+  Index nearest = -1;
   double least = 0;
   for (Index v = 0; v < this->Surface->positions().rows(); ++v) {
     if (!this->Surface->isShown(v)) continue;
     const double distance = (this->PlaceOf(v) - at).stableNorm();
-    if (nearest && distance >= least) continue;
+    if (nearest >= 0 && distance >= least) continue;
     nearest = v;
     least = distance;
   }
@@ -210,12 +209,12 @@ std::optional<Index> vtkHoldfastSurfaceCurveRepresentation::NearestVertex(const 
 
 int vtkHoldfastSurfaceCurveRepresentation::AddNodeOnContour(int x, int y)
 {
-  const auto vertex = this->VertexAt(DisplayPoint(x, y));
-  if (!vertex) return 0;
+  const Index vertex = this->VertexAt(DisplayPoint(x, y));
+  if (vertex < 0) return 0;
   const std::vector<int>& unknownOf = this->Surface->model().solverMesh.weld.unknownOf;
   for (int n = 0; n < this->GetNumberOfNodes(); ++n)
     for (const vtkContourRepresentationPoint* point : this->GetNthNode(n)->Points)
-      if (unknownOf[Index{point->PointId}] == unknownOf[*vertex]) return this->InsertPlace(n + 1, vertex);
+      if (unknownOf[Index{point->PointId}] == unknownOf[vertex]) return this->InsertPlace(n + 1, vertex);
   return 0;
 }
 
@@ -259,9 +258,9 @@ int vtkHoldfastSurfaceCurveRepresentation::ComputeInteractionState(int x, int y,
 void vtkHoldfastSurfaceCurveRepresentation::WidgetInteraction(double pixel[2])
 {
   if (this->CurrentOperation != Translate) return;
-  const auto vertex = this->VertexAt(DisplayPoint(pixel));
-  if (vertex && this->IsNode(this->ActiveNode) && this->GetNthNode(this->ActiveNode)->PointId != *vertex)
-    this->MovePlace(this->ActiveNode, *vertex);
+  const Index vertex = this->VertexAt(DisplayPoint(pixel));
+  if (vertex >= 0 && this->IsNode(this->ActiveNode) && this->GetNthNode(this->ActiveNode)->PointId != vertex)
+    this->MovePlace(this->ActiveNode, vertex);
 }
 
 void vtkHoldfastSurfaceCurveRepresentation::InitializeContour(vtkPolyData* line, vtkIdList* vertices)

@@ -2,7 +2,6 @@
 /// Draws a contour along the edges of a surface.
 
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -43,21 +42,23 @@ class vtkHoldfastSurfaceCurveRepresentation : public holdfast::DrawnByProps<vtkC
   [[nodiscard]] std::vector<holdfast::Index> GetPath() const;
 
   /// `InsertPlace` inserts a place before the `n`-th one, `MovePlace` moves that one. Both return false, and change
-  /// nothing, for three kinds of vertices. These are a vertex that no face uses, one that is a place already, and one
-  /// to which no edges lead from the others.
-  bool InsertPlace(int n, std::optional<holdfast::Index> vertex);
-  bool MovePlace(int n, std::optional<holdfast::Index> vertex);
+  /// nothing, for a vertex that the mesh does not have, as -1, and for three kinds of vertices. These are a vertex that
+  /// no face uses, one that is a place already, and one to which no edges lead from the others.
+  bool InsertPlace(int n, holdfast::Index vertex);
+  bool MovePlace(int n, holdfast::Index vertex);
 
-  /// Returns the vertex for a click on a pixel. `SurfacePicker` finds it within 12 pixels. Beside the surface there is
-  /// none.
-  [[nodiscard]] std::optional<holdfast::Index> VertexAt(const holdfast::DisplayPoint& pixel) const;
+  /// Returns the vertex for a click on a pixel. `SurfacePicker` finds it within 12 pixels. Beside the surface it
+  /// returns -1.
+  [[nodiscard]] holdfast::Index VertexAt(const holdfast::DisplayPoint& pixel) const;
   /// Tells whether a click on the pixel closes the curve. It does where the first of three places or more is within 12
   /// pixels.
   [[nodiscard]] bool IsAtFirst(const holdfast::DisplayPoint& pixel);
   [[nodiscard]] bool IsClosable() const;
 
-  /// Shows the path from the last place to a vertex. Where there is no place yet, it shows that vertex alone.
-  void SetPreview(std::optional<holdfast::Index> vertex);
+  /// Shows the path from the last place to a vertex. Where there is no place yet, it shows that vertex alone. With -1
+  /// it shows nothing.
+  void SetPreview(holdfast::Index vertex);
+  void HidePreview() { this->SetPreview(-1); }
   [[nodiscard]] const std::vector<holdfast::Index>& GetPreview() const { return this->Preview; }
 
   // These are VTK's functions for nodes. A place in space means the nearest vertex, O(N).
@@ -129,7 +130,7 @@ class vtkHoldfastSurfaceCurveRepresentation : public holdfast::DrawnByProps<vtkC
 
  private:
   [[nodiscard]] bool IsPossible(holdfast::Index vertex, int moved) const;
-  [[nodiscard]] std::optional<holdfast::Index> NearestVertex(const double place[3]) const;
+  [[nodiscard]] holdfast::Index NearestVertex(const double place[3]) const;
   [[nodiscard]] holdfast::Vector3 PlaceOf(holdfast::Index vertex) const
   {
     return this->Surface->positions().row(vertex).transpose();

@@ -36,7 +36,7 @@ void vtkHoldfastSurfaceCurveWidget::SetEnabled(int enabling)
 void vtkHoldfastSurfaceCurveWidget::Stop()
 {
   if (this->IsDragging()) this->Cancel();
-  this->Drawn().SetPreview(std::nullopt);
+  this->Drawn().HidePreview();
   this->RequestCursorShape(VTK_CURSOR_DEFAULT);
 }
 
@@ -68,7 +68,7 @@ bool vtkHoldfastSurfaceCurveWidget::AddPlace(Index vertex)
   vtkHoldfastSurfaceCurveRepresentation& curve = this->Drawn();
   const int count = curve.GetNumberOfNodes();
   if (this->IsClosed() || !curve.InsertPlace(count, vertex)) return false;
-  curve.SetPreview(std::nullopt);
+  curve.HidePreview();
   if (count == 0) this->Tell(vtkCommand::StartInteractionEvent);
   this->InvokeEvent(vtkCommand::PlacePointEvent, &vertex);
   this->Changed();
@@ -79,7 +79,7 @@ bool vtkHoldfastSurfaceCurveWidget::Close()
 {
   vtkHoldfastSurfaceCurveRepresentation& curve = this->Drawn();
   if (!curve.IsClosable()) return false;
-  curve.SetPreview(std::nullopt);
+  curve.HidePreview();
   curve.ClosedLoopOn();
   this->Changed();
   this->Tell(vtkCommand::EndInteractionEvent);
@@ -91,7 +91,7 @@ bool vtkHoldfastSurfaceCurveWidget::RemoveLast()
   vtkHoldfastSurfaceCurveRepresentation& curve = this->Drawn();
   curve.ClosedLoopOff();
   if (curve.DeleteLastNode() == 0) return false;
-  curve.SetPreview(std::nullopt);
+  curve.HidePreview();
   this->Changed();
   return true;
 }
@@ -202,7 +202,7 @@ void vtkHoldfastSurfaceCurveWidget::Hover(const DisplayPoint& cursor)
 void vtkHoldfastSurfaceCurveWidget::Leave()
 {
   this->ShowCursor(VTK_CURSOR_DEFAULT);
-  this->Drawn().SetPreview(std::nullopt);
+  this->Drawn().HidePreview();
   this->ShowChanges();
 }
 
@@ -219,8 +219,8 @@ bool vtkHoldfastSurfaceCurveWidget::Release()
   if (!this->LeftClick.Release(cursor, this->GetPixelRatio())) return false;
   if (curve.IsAtFirst(cursor))
     this->Close();
-  else if (const auto vertex = curve.VertexAt(cursor))
-    this->AddPlace(*vertex);
+  else if (const Index vertex = curve.VertexAt(cursor); vertex >= 0)
+    this->AddPlace(vertex);
   return false;
 }
 

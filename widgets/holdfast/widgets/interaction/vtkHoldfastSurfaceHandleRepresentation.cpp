@@ -1,7 +1,5 @@
 #include "holdfast/widgets/interaction/vtkHoldfastSurfaceHandleRepresentation.h"
 
-#include <utility>
-
 #include <holdfast/surface/surface_locator.h>
 #include <holdfast/widgets/interaction/vtkHoldfastSurfacePointPlacer.h>
 
@@ -23,15 +21,17 @@ SurfacePlacement vtkHoldfastSurfaceHandleRepresentation::PlacementAt(const Surfa
 
 void vtkHoldfastSurfaceHandleRepresentation::SetLocation(const SurfaceLocation& location)
 {
-  if (this->GetSurface() != nullptr)
-    this->SetPlacement(this->PlacementAt(location));
-  else
+  if (this->GetSurface() == nullptr) {
     vtkErrorMacro("The placer must have a surface before the handle has a location");
+    return;
+  }
+  const SurfacePlacement placement = this->PlacementAt(location);
+  this->SetPlacement(&placement);
 }
 
-void vtkHoldfastSurfaceHandleRepresentation::SetPlacement(std::optional<SurfacePlacement> placement)
+void vtkHoldfastSurfaceHandleRepresentation::SetPlacement(const SurfacePlacement* placement)
 {
-  this->Placement = std::move(placement);
+  this->Placement = placement != nullptr ? std::optional(*placement) : std::nullopt;
   this->FollowSurface();
   this->Modified();
 }
@@ -47,7 +47,8 @@ void vtkHoldfastSurfaceHandleRepresentation::SetDisplayPosition(double display[3
 {
   auto* placer = vtkHoldfastSurfacePointPlacer::SafeDownCast(this->PointPlacer);
   if (placer == nullptr || this->Renderer == nullptr) return this->Superclass::SetDisplayPosition(display);
-  const auto pick = placer->Pick(*this->Renderer, display);
-  if (pick)
-    this->SetPlacement(SurfacePlacement{pick->location, pointOf(pick->location, this->GetSurface()->model().mesh)});
+  SurfacePick pick;
+  if (!placer->Pick(*this->Renderer, display, pick)) return;
+  const SurfacePlacement placement{pick.location, pointOf(pick.location, this->GetSurface()->model().mesh)};
+  this->SetPlacement(&placement);
 }

@@ -32,9 +32,13 @@ class vtkHoldfastSurfaceHandleRepresentation : public vtkPointHandleRepresentati
   static vtkHoldfastSurfaceHandleRepresentation* New();
   vtkTypeMacro(vtkHoldfastSurfaceHandleRepresentation, vtkPointHandleRepresentation2D)
 
-  /// Returns where the handle is; none before it is placed.
-  [[nodiscard]] const std::optional<holdfast::SurfacePlacement>& GetPlacement() const { return this->Placement; }
-  void SetPlacement(std::optional<holdfast::SurfacePlacement> placement);
+  /// Returns where the handle is; null before it is placed. `SetPlacement` copies; with null it makes the handle one
+  /// that is not placed.
+  [[nodiscard]] const holdfast::SurfacePlacement* GetPlacement() const
+  {
+    return this->Placement ? &*this->Placement : nullptr;
+  }
+  void SetPlacement(const holdfast::SurfacePlacement* placement);
 
   /// `PlacementAt` finds a location on the placer's surface, and `SetLocation` places the handle there. The placer has
   /// a surface. Both throw `InputError` for a location that the mesh does not have. O(T log T).

@@ -6,20 +6,22 @@ using namespace holdfast;
 
 vtkStandardNewMacro(vtkHoldfastSurfacePointPlacer);
 
-std::optional<SurfacePick> vtkHoldfastSurfacePointPlacer::Pick(vtkRenderer& renderer, const double displayPos[2]) const
+bool vtkHoldfastSurfacePointPlacer::Pick(vtkRenderer& renderer, const double displayPos[2], SurfacePick& pick) const
 {
-  if (!this->Surface) return std::nullopt;
-  return SurfacePicker(this->Surface)
-      .pick(renderer, displayPos[0], displayPos[1], this->Kind, this->SnapPixels * this->PixelRatio);
+  if (!this->Surface) return false;
+  const auto found = SurfacePicker(this->Surface)
+                         .pick(renderer, displayPos[0], displayPos[1], this->Kind, this->SnapPixels * this->PixelRatio);
+  if (found) pick = *found;
+  return found.has_value();
 }
 
 int vtkHoldfastSurfacePointPlacer::ComputeWorldPosition(vtkRenderer* renderer, double displayPos[2], double worldPos[3],
                                                         double worldOrient[9])
 {
-  const auto pick = this->Pick(*renderer, displayPos);
-  if (!pick) return 0;
+  SurfacePick pick;
+  if (!this->Pick(*renderer, displayPos, pick)) return 0;
   this->LastPick = pick;
-  std::copy_n(pick->place.data(), 3, worldPos);
+  std::copy_n(pick.place.data(), 3, worldPos);
   for (int k = 0; k < 9; ++k) worldOrient[k] = k % 4 == 0 ? 1 : 0;
   return 1;
 }

@@ -41,11 +41,12 @@ class vtkHoldfastSurfacePointPlacer : public vtkPointPlacer {
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
   vtkGetMacro(PixelRatio, double);
 
-  /// Returns the point that a click on a pixel of the renderer's window means, as `SurfacePicker::pick` does.
-  [[nodiscard]] std::optional<holdfast::SurfacePick> Pick(vtkRenderer& renderer, const double displayPos[2]) const;
+  /// Writes the point that a click on a pixel of the renderer's window means, as `SurfacePicker::pick` finds it, and
+  /// returns true. Where there is none it returns false, and `pick` stays as it is.
+  [[nodiscard]] bool Pick(vtkRenderer& renderer, const double displayPos[2], holdfast::SurfacePick& pick) const;
 
-  /// Returns the last point that one of the functions below has placed; none before the first.
-  [[nodiscard]] const std::optional<holdfast::SurfacePick>& GetLastPick() const { return this->LastPick; }
+  /// Returns the last point that one of the functions below has placed; null before the first.
+  [[nodiscard]] const holdfast::SurfacePick* GetLastPick() const { return this->LastPick ? &*this->LastPick : nullptr; }
 
   /// Writes the place of the point on the surface and returns 1, or returns 0 where there is no point. The orientation
   /// is the identity.

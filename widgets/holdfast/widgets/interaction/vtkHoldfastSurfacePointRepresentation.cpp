@@ -40,12 +40,12 @@ void vtkHoldfastSurfacePointRepresentation::SetSurface(std::shared_ptr<const Vis
   if (this->Surface == surface) return;
   if (!surface || !this->Surface || !surface->isSameMesh(*this->Surface)) this->Preview.reset();
   this->Surface = std::move(surface);
-  this->SetPreview(std::exchange(this->Preview, std::nullopt));
+  this->SetPreview(this->GetPreview());
 }
 
-void vtkHoldfastSurfacePointRepresentation::SetPreview(std::optional<SurfacePick> pick)
+void vtkHoldfastSurfacePointRepresentation::SetPreview(const SurfacePick* pick)
 {
-  this->Preview = this->Surface ? std::move(pick) : std::nullopt;
+  this->Preview = this->Surface && pick != nullptr ? std::optional(*pick) : std::nullopt;
   if (this->Preview)
     this->Preview->place =
         positionOf(pointOf(this->Preview->location, this->Surface->model().mesh), this->Surface->positions());

@@ -26,9 +26,11 @@ class vtkHoldfastSurfacePointRepresentation : public holdfast::DrawnByProps<vtkW
   void SetSurface(std::shared_ptr<const holdfast::VisibleSurface> surface);
   [[nodiscard]] const std::shared_ptr<const holdfast::VisibleSurface>& GetSurface() const { return this->Surface; }
 
-  /// Shows the location of `pick`. It shows nothing for none, the default, and while there is no surface.
-  void SetPreview(std::optional<holdfast::SurfacePick> pick);
-  [[nodiscard]] const std::optional<holdfast::SurfacePick>& GetPreview() const { return this->Preview; }
+  /// Shows the location of `pick`, which is copied. It shows nothing for null, the default, and while there is no
+  /// surface.
+  void SetPreview(const holdfast::SurfacePick* pick);
+  /// Returns what is shown; null where nothing is. It is valid until another point is shown or the surface changes.
+  [[nodiscard]] const holdfast::SurfacePick* GetPreview() const { return this->Preview ? &*this->Preview : nullptr; }
 
   void SetPixelRatio(double ratio);
   vtkGetMacro(PixelRatio, double);

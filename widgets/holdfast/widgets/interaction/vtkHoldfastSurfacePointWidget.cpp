@@ -42,7 +42,7 @@ void vtkHoldfastSurfacePointWidget::SetKind(PickKind kind)
 {
   if (this->GetKind() == kind) return;
   this->Placer->SetKind(kind);
-  if (this->IsHovering) this->Show(this->PickAtCursor());
+  if (this->IsHovering) this->ShowPickAtCursor();
 }
 
 void vtkHoldfastSurfacePointWidget::SetPixelRatio(double ratio)
@@ -51,9 +51,9 @@ void vtkHoldfastSurfacePointWidget::SetPixelRatio(double ratio)
   this->Inform(this->Drawn());
 }
 
-void vtkHoldfastSurfacePointWidget::SetPreview(std::optional<SurfacePick> pick)
+void vtkHoldfastSurfacePointWidget::SetPreview(const SurfacePick* pick)
 {
-  this->Drawn().SetPreview(std::move(pick));
+  this->Drawn().SetPreview(pick);
   if (this->Enabled != 0) this->Render();
 }
 
@@ -63,12 +63,18 @@ bool vtkHoldfastSurfacePointWidget::WantsKey(char key) const
          vtkWidgetEvent::NoEvent;
 }
 
-void vtkHoldfastSurfacePointWidget::Show(std::optional<SurfacePick> pick)
+void vtkHoldfastSurfacePointWidget::ShowPickAtCursor()
 {
-  if (!pick && !this->GetPreview()) return;
-  this->ShowCursor(pick ? VTK_CURSOR_CROSSHAIR : VTK_CURSOR_DEFAULT);
+  SurfacePick pick;
+  this->Show(this->PickAtCursor(pick) ? &pick : nullptr);
+}
+
+void vtkHoldfastSurfacePointWidget::Show(SurfacePick* pick)
+{
+  if (pick == nullptr && this->GetPreview() == nullptr) return;
+  this->ShowCursor(pick != nullptr ? VTK_CURSOR_CROSSHAIR : VTK_CURSOR_DEFAULT);
   this->SetPreview(pick);
-  this->InvokeEvent(vtkCommand::InteractionEvent, pick ? &*pick : nullptr);
+  this->InvokeEvent(vtkCommand::InteractionEvent, pick);
 }
 
 void vtkHoldfastSurfacePointWidget::Hover()
@@ -76,19 +82,20 @@ void vtkHoldfastSurfacePointWidget::Hover()
   const bool isDrag = this->LeftClick.LeaveAt(this->Cursor(), this->GetPixelRatio());
   if (isDrag || !this->IsCursorInside() || isCameraMoving(*this->Interactor)) return this->Leave();
   this->IsHovering = true;
-  this->Show(this->PickAtCursor());
+  this->ShowPickAtCursor();
 }
 
 void vtkHoldfastSurfacePointWidget::Leave()
 {
   this->IsHovering = false;
-  this->Show(std::nullopt);
+  this->Show(nullptr);
 }
 
 void vtkHoldfastSurfacePointWidget::Release()
 {
   if (!this->LeftClick.Release(this->Cursor(), this->GetPixelRatio())) return;
-  if (auto pick = this->PickAtCursor()) this->InvokeEvent(vtkCommand::PlacePointEvent, &*pick);
+  SurfacePick pick;
+  if (this->PickAtCursor(pick)) this->InvokeEvent(vtkCommand::PlacePointEvent, &pick);
 }
 
 template <PickKind Kind>

@@ -2,7 +2,6 @@
 /// Lets the user choose a point of a surface: on a vertex, on an edge or in a face.
 
 #include <memory>
-#include <optional>
 
 #include <vtkNew.h>
 
@@ -65,10 +64,11 @@ class vtkHoldfastSurfacePointWidget : public holdfast::WidgetOf<vtkHoldfastSurfa
   /// above.
   [[nodiscard]] vtkHoldfastSurfacePointPlacer* GetPlacer() const { return this->Placer; }
 
-  /// Shows a point as the mouse does, or none, without an event.
-  void SetPreview(std::optional<holdfast::SurfacePick> pick);
-  void HidePreview() { this->SetPreview(std::nullopt); }
-  [[nodiscard]] const std::optional<holdfast::SurfacePick>& GetPreview() { return this->Drawn().GetPreview(); }
+  /// Shows a point as the mouse does, or none for null, without an event.
+  void SetPreview(const holdfast::SurfacePick* pick);
+  void HidePreview() { this->SetPreview(nullptr); }
+  /// Returns the point that is shown, or null, as the representation does.
+  [[nodiscard]] const holdfast::SurfacePick* GetPreview() { return this->Drawn().GetPreview(); }
 
   /// Tells whether a key is bound. A window asks this before its shortcuts.
   [[nodiscard]] bool WantsKey(char key) const;
@@ -87,11 +87,12 @@ class vtkHoldfastSurfacePointWidget : public holdfast::WidgetOf<vtkHoldfastSurfa
   template <holdfast::PickKind Kind>
   bool Choose();
 
-  [[nodiscard]] std::optional<holdfast::SurfacePick> PickAtCursor() const
+  [[nodiscard]] bool PickAtCursor(holdfast::SurfacePick& pick) const
   {
-    return this->Placer->Pick(*this->CurrentRenderer, this->Cursor().data());
+    return this->Placer->Pick(*this->CurrentRenderer, this->Cursor().data(), pick);
   }
-  void Show(std::optional<holdfast::SurfacePick> pick);
+  void ShowPickAtCursor();
+  void Show(holdfast::SurfacePick* pick);
 
   vtkNew<vtkHoldfastSurfacePointPlacer> Placer;
   bool IsHovering = false;  // the cursor is in the renderer, and nothing moves the camera

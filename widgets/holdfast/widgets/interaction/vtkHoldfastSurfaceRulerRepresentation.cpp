@@ -112,7 +112,7 @@ void vtkHoldfastSurfaceRulerRepresentation::SetSurface(std::shared_ptr<const Vis
     if (isSameMesh)
       this->GetHandle(end).FollowSurface();
     else
-      this->GetHandle(end).SetPlacement(std::nullopt);
+      this->GetHandle(end).SetPlacement(nullptr);
   this->Modified();
 }
 

@@ -35,7 +35,10 @@ class vtkHoldfastSurfaceRulerRepresentation : public vtkDistanceRepresentation2D
                                                                           : this->Point2Representation);
   }
   /// Tells whether both ends are placed.
-  [[nodiscard]] bool IsPlaced() const { return this->GetHandle(0).GetPlacement() && this->GetHandle(1).GetPlacement(); }
+  [[nodiscard]] bool IsPlaced() const
+  {
+    return this->GetHandle(0).GetPlacement() != nullptr && this->GetHandle(1).GetPlacement() != nullptr;
+  }
 
   /// Return the distance now and at rest, in model units; 0 before both ends are placed.
   double GetDistance() override { return this->GetVector().stableNorm(); }

@@ -63,22 +63,22 @@ void vtkHoldfastSurfaceRulerWidget::SetLocations(const SurfaceLocation& a, const
   this->Cancel();
   const SurfacePlacement first = ruler.GetHandle(0).PlacementAt(a);
   ruler.GetHandle(1).SetLocation(b);
-  ruler.GetHandle(0).SetPlacement(first);
+  ruler.GetHandle(0).SetPlacement(&first);
   ruler.VisibilityOn();
   this->SetWidgetStateToManipulate();
   this->Render();
 }
 
-std::optional<SurfaceLocation> vtkHoldfastSurfaceRulerWidget::GetLocation(int end)
+const SurfaceLocation* vtkHoldfastSurfaceRulerWidget::GetLocation(int end)
 {
-  const auto& placement = this->Drawn().GetHandle(end).GetPlacement();
-  return placement ? std::optional(placement->location) : std::nullopt;
+  const SurfacePlacement* const placement = this->Drawn().GetHandle(end).GetPlacement();
+  return placement != nullptr ? &placement->location : nullptr;
 }
 
 void vtkHoldfastSurfaceRulerWidget::Clear()
 {
   if (this->GrabbedAt) this->StopDrag();
-  for (const int end : {0, 1}) this->Drawn().GetHandle(end).SetPlacement(std::nullopt);
+  for (const int end : {0, 1}) this->Drawn().GetHandle(end).SetPlacement(nullptr);
   this->Point1Widget->SetEnabled(0);
   this->Point2Widget->SetEnabled(0);
   this->Drawn().VisibilityOff();
@@ -92,7 +92,7 @@ bool vtkHoldfastSurfaceRulerWidget::Cancel()
   if (this->WidgetState == vtkDistanceWidget::Define) {
     this->Clear();
   } else {
-    this->Drawn().GetHandle(this->CurrentHandle).SetPlacement(this->GrabbedAt);
+    this->Drawn().GetHandle(this->CurrentHandle).SetPlacement(&*this->GrabbedAt);
     this->StopDrag();
     this->Render();
   }
@@ -123,7 +123,7 @@ void vtkHoldfastSurfaceRulerWidget::Press()
   this->CurrentHandle = -1;
   AddPointAction(this);
   if (this->CurrentHandle >= 0)
-    this->GrabbedAt = this->Drawn().GetHandle(this->CurrentHandle).GetPlacement();
+    this->GrabbedAt = *this->Drawn().GetHandle(this->CurrentHandle).GetPlacement();
   else
     this->PressClick();
 }
@@ -161,7 +161,8 @@ void vtkHoldfastSurfaceRulerWidget::Release()
   }
   DisplayPoint cursor = this->Cursor();
   if (!this->LeftClick.Release(cursor, this->Drawn().GetPixelRatio())) return;
-  if (!this->GetPlacer()->Pick(*this->CurrentRenderer, cursor.data())) return;
+  SurfacePick pick;
+  if (!this->GetPlacer()->Pick(*this->CurrentRenderer, cursor.data(), pick)) return;
   if (this->WidgetState == vtkDistanceWidget::Manipulate) {
     this->InvokeEvent(NextRulerEvent);
     this->Clear();

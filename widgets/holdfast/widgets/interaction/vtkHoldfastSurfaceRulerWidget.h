@@ -62,8 +62,8 @@ class vtkHoldfastSurfaceRulerWidget
   /// call takes back what is under way, as `Cancel` does, and invokes no other events. It throws `InputError`, and
   /// changes nothing more, where the mesh does not have a location. O(T log T).
   void SetLocations(const holdfast::SurfaceLocation& a, const holdfast::SurfaceLocation& b);
-  /// Returns the location of end 0 or 1; none while it is not placed.
-  [[nodiscard]] std::optional<holdfast::SurfaceLocation> GetLocation(int end);
+  /// Returns the location of end 0 or 1; null while it is not placed. It is valid until the end is placed elsewhere.
+  [[nodiscard]] const holdfast::SurfaceLocation* GetLocation(int end);
   /// Removes the ruler, without events. The next click places a first end.
   void Clear();
 

@@ -33,17 +33,17 @@ class SelectTool : public ToolOf<vtkHoldfastConstraintMarkWidget> {
  private:
   void followMarks()
   {
-    widget().GetConstraintMarkRepresentation()->SetSection(viewport().section());
+    widget().GetConstraintMarkRepresentation()->SetSection(viewport().section() ? &*viewport().section() : nullptr);
     widget().SetMarks(viewport().contents() ? viewport().contents()->sharedMarks() : nullptr);
   }
 
   void pick(vtkObject* /*caller*/, unsigned long /*event*/, void* picked)
   {
     const auto& [constraint, isAdded] = *static_cast<const ConstraintPick*>(picked);
-    if (!isAdded) return editor().selectConstraints(constraint ? std::vector{*constraint} : std::vector<Index>{});
-    if (!constraint) return;
+    if (!isAdded) return editor().selectConstraints(constraint >= 0 ? std::vector{constraint} : std::vector<Index>{});
+    if (constraint < 0) return;
     auto selected = editor().selectedConstraints();
-    if (std::erase(selected, *constraint) == 0) selected.push_back(*constraint);
+    if (std::erase(selected, constraint) == 0) selected.push_back(constraint);
     editor().selectConstraints(std::move(selected));
   }
 };
@@ -189,7 +189,7 @@ class RelativeTool : public ToolOf<vtkHoldfastSurfaceRulerWidget> {
 
   void showSelected()
   {
-    for (const int end : {0, 1}) selected_->GetHandle(end).SetPlacement(std::nullopt);
+    for (const int end : {0, 1}) selected_->GetHandle(end).SetPlacement(nullptr);
     if (!editor().isOpen() || editor().selectedConstraints().size() != 1) return;
     const Constraint& constraint = editor().list().constraints[editor().selectedConstraints().front()];
     const auto* relative = std::get_if<RelativeConstraint>(&constraint.what);
@@ -199,7 +199,7 @@ class RelativeTool : public ToolOf<vtkHoldfastSurfaceRulerWidget> {
       selected_->GetHandle(1).SetLocation(relative->from);
     } catch (const InputError&) {
       // The mesh has no such place: the inspector says so, and there is no arrow.
-      selected_->GetHandle(0).SetPlacement(std::nullopt);
+      selected_->GetHandle(0).SetPlacement(nullptr);
     }
   }
 
@@ -310,7 +310,8 @@ class RulerTool : public ToolOf<vtkHoldfastSurfaceRulerWidget> {
       ruler.SetSurface(viewport().surface());
       for (const int end : {0, 1}) {
         const SurfaceLocation& at = rulers[k][static_cast<std::size_t>(end)];
-        ruler.GetHandle(end).SetPlacement(SurfacePlacement{at, pointOf(at, editor().model()->mesh)});
+        const SurfacePlacement placement{at, pointOf(at, editor().model()->mesh)};
+        ruler.GetHandle(end).SetPlacement(&placement);
       }
       viewport().widgetRenderer().AddViewProp(&ruler);
     }

@@ -153,9 +153,10 @@ void Viewport::lookUnderCursor(const QMouseEvent* move)
       found.pick = SurfacePicker(surface_).pick(*renderer_, pixel.x(), pixel.y(), PickKind::Nearest,
                                                 kCursorPixels * pixelRatio());
     marksUnderCursor_->SetPixelRatio(pixelRatio());
-    marksUnderCursor_->SetSection(section_);
+    marksUnderCursor_->SetSection(section_ ? &*section_ : nullptr);
     marksUnderCursor_->SetMarks(contents_->sharedMarks());
-    found.constraint = marksUnderCursor_->FindConstraint(pixel.x(), pixel.y());
+    const Index constraint = marksUnderCursor_->FindConstraint(pixel.x(), pixel.y());
+    if (constraint >= 0) found.constraint = constraint;
   }
   editor_.setUnderCursor(std::move(found));
 }
