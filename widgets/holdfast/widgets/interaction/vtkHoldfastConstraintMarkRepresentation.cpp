@@ -9,6 +9,16 @@ using namespace holdfast;
 
 vtkStandardNewMacro(vtkHoldfastConstraintMarkRepresentation);
 
+void vtkHoldfastConstraintMarkRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Marks: " << this->Marks.get() << '\n';
+  os << indent << "Surface: " << this->Surface.get() << '\n';
+  os << indent << "Section: " << (this->Section ? "on" : "off") << '\n';
+  os << indent << "ReachPixels: " << this->ReachPixels << '\n';
+  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
+}
+
 bool vtkHoldfastConstraintMarkRepresentation::HasMarksOf(Index constraint) const
 {
   return this->Marks && std::ranges::count(this->Marks->marks, constraint, &ConstraintMark::constraint) > 0;

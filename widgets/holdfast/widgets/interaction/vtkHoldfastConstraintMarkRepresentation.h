@@ -17,6 +17,7 @@ class vtkHoldfastConstraintMarkRepresentation : public vtkWidgetRepresentation {
  public:
   static vtkHoldfastConstraintMarkRepresentation* New();
   vtkTypeMacro(vtkHoldfastConstraintMarkRepresentation, vtkWidgetRepresentation)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Sets the marks that can be found. With null, the default, no mark is found.
   void SetMarks(std::shared_ptr<const holdfast::MarkSet> marks)

@@ -12,6 +12,12 @@ vtkHoldfastConstraintMarkWidget::vtkHoldfastConstraintMarkWidget()
   this->Bind<&vtkHoldfastConstraintMarkWidget::Release>(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect);
 }
 
+void vtkHoldfastConstraintMarkWidget::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Highlighted: " << this->Highlighted << '\n';
+}
+
 void vtkHoldfastConstraintMarkWidget::SetMarks(std::shared_ptr<const MarkSet> marks)
 {
   this->Drawn().SetMarks(std::move(marks));

@@ -44,6 +44,7 @@ class vtkHoldfastConstraintMarkWidget : public holdfast::WidgetOf<vtkHoldfastCon
  public:
   static vtkHoldfastConstraintMarkWidget* New();
   vtkTypeMacro(vtkHoldfastConstraintMarkWidget, vtkAbstractWidget)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   [[nodiscard]] vtkHoldfastConstraintMarkRepresentation* GetConstraintMarkRepresentation() { return &this->Drawn(); }
 

@@ -112,9 +112,13 @@ void vtkHoldfastGizmoRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Center: " << this->Frame.center.transpose() << '\n';
+  os << indent << "Motions: " << static_cast<int>(this->Motions) << '\n';
+  os << indent << "AlignToView: " << this->AlignToView << '\n';
   os << indent << "PixelSize: " << this->PixelSize << '\n';
   os << indent << "PixelRatio: " << this->PixelRatio << '\n';
+  os << indent << "Units: " << this->Units << '\n';
   os << indent << "Part: " << static_cast<int>(this->Part) << '\n';
+  os << indent << "LabelVisibility: " << this->LabelVisibility << '\n';
   os << indent << "Label: " << this->Label << '\n';
 }
 

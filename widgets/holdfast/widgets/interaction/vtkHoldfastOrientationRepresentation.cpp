@@ -47,6 +47,11 @@ vtkHoldfastOrientationRepresentation::vtkHoldfastOrientationRepresentation()
   this->PositionHandles();
 }
 
+void vtkHoldfastOrientationRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
 void vtkHoldfastOrientationRepresentation::PositionHandles()
 {
   const auto placeOf = [this](int point) {

@@ -14,6 +14,7 @@ class vtkHoldfastOrientationRepresentation : public vtkCameraOrientationRepresen
  public:
   static vtkHoldfastOrientationRepresentation* New();
   vtkTypeMacro(vtkHoldfastOrientationRepresentation, vtkCameraOrientationRepresentation)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void EndWidgetInteraction(double place[2]) override;
 

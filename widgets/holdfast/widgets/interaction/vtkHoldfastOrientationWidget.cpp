@@ -16,6 +16,11 @@ constexpr double kPaddingPixels = 10;
 
 vtkStandardNewMacro(vtkHoldfastOrientationWidget);
 
+void vtkHoldfastOrientationWidget::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
 void vtkHoldfastOrientationWidget::SetPixelRatio(double ratio)
 {
   const int size = static_cast<int>(std::lround(kSizePixels * ratio));

@@ -30,6 +30,7 @@ class vtkHoldfastOrientationWidget
  public:
   static vtkHoldfastOrientationWidget* New();
   vtkTypeMacro(vtkHoldfastOrientationWidget, vtkCameraOrientationWidget)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   [[nodiscard]] vtkHoldfastOrientationRepresentation* GetOrientationRepresentation() { return &this->Drawn(); }
 

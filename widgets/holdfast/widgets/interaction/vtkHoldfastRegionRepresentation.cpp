@@ -86,6 +86,14 @@ vtkHoldfastRegionRepresentation::vtkHoldfastRegionRepresentation()
   this->ShowNothing();
 }
 
+void vtkHoldfastRegionRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Outline: " << this->Outline.size() << '\n';
+  os << indent << "IsFilled: " << this->IsFilled << '\n';
+  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
+}
+
 void vtkHoldfastRegionRepresentation::Show(std::vector<DisplayPoint> outline, bool isFilled)
 {
   this->Outline = std::move(outline);

@@ -15,6 +15,7 @@ class vtkHoldfastRegionRepresentation : public holdfast::DrawnByProps<vtkWidgetR
  public:
   static vtkHoldfastRegionRepresentation* New();
   vtkTypeMacro(vtkHoldfastRegionRepresentation, vtkWidgetRepresentation)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Shows a polygon, filled faintly where `ScreenPolygon` has its inside. The corners are pixels as a cursor names
   /// them.

@@ -15,6 +15,13 @@ using namespace holdfast;
 
 vtkStandardNewMacro(vtkHoldfastRotationSphereStyle);
 
+void vtkHoldfastRotationSphereStyle::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Sphere: " << this->Sphere << '\n';
+  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
+}
+
 void vtkHoldfastRotationSphereStyle::SetSphere(RotationSphere* sphere)
 {
   this->Sphere = sphere;

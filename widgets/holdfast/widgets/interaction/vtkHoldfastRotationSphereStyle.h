@@ -32,6 +32,7 @@ class vtkHoldfastRotationSphereStyle : public vtkInteractorStyle {
  public:
   static vtkHoldfastRotationSphereStyle* New();
   vtkTypeMacro(vtkHoldfastRotationSphereStyle, vtkInteractorStyle)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Sets the sphere, which is in a renderer of the interactor's window. It has to live as long as it is set. With
   /// null, the default, there is none.

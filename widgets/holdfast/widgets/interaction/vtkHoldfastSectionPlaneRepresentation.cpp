@@ -8,6 +8,12 @@ using namespace holdfast;
 
 vtkStandardNewMacro(vtkHoldfastSectionPlaneRepresentation);
 
+void vtkHoldfastSectionPlaneRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Surface: " << this->Surface.get() << '\n';
+}
+
 int vtkHoldfastSectionPlaneRepresentation::ComputeInteractionState(int x, int y, int modify)
 {
   const auto isOverSurface = [&] {

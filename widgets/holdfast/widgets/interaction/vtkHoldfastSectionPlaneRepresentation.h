@@ -27,6 +27,7 @@ class vtkHoldfastSectionPlaneRepresentation : public vtkImplicitPlaneRepresentat
  public:
   static vtkHoldfastSectionPlaneRepresentation* New();
   vtkTypeMacro(vtkHoldfastSectionPlaneRepresentation, vtkImplicitPlaneRepresentation)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Sets the part of the surface that the cut keeps. With null, the default, the plane takes the mouse everywhere.
   void SetSurface(std::shared_ptr<const holdfast::VisibleSurface> surface) { this->Surface = std::move(surface); }

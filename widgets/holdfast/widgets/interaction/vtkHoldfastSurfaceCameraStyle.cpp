@@ -24,6 +24,14 @@ vtkHoldfastSurfaceCameraStyle::vtkHoldfastSurfaceCameraStyle()
   translator.SetTranslation(vtkCommand::MiddleButtonPressEvent, vtkWidgetEvent::Translate);
 }
 
+void vtkHoldfastSurfaceCameraStyle::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Surface: " << this->Surface.get() << '\n';
+  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
+  os << indent << "EventTranslator: " << this->EventTranslator.Get() << '\n';
+}
+
 Vector3 vtkHoldfastSurfaceCameraStyle::PlaceUnder(const DisplayPoint& cursor)
 {
   vtkRenderer& renderer = *this->CurrentRenderer;

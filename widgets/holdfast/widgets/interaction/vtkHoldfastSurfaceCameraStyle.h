@@ -41,6 +41,7 @@ class vtkHoldfastSurfaceCameraStyle : public vtkInteractorStyle {
  public:
   static vtkHoldfastSurfaceCameraStyle* New();
   vtkTypeMacro(vtkHoldfastSurfaceCameraStyle, vtkInteractorStyle)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Sets the surface, about whose place under the cursor the camera moves. With null, the default, and beside the
   /// surface, it moves about a place at the depth of the focal point.

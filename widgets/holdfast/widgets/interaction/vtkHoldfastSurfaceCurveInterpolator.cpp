@@ -6,6 +6,13 @@ using namespace holdfast;
 
 vtkStandardNewMacro(vtkHoldfastSurfaceCurveInterpolator);
 
+void vtkHoldfastSurfaceCurveInterpolator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Surface: " << this->Surface.get() << '\n';
+  os << indent << "Regions: " << this->Regions.get() << '\n';
+}
+
 std::vector<Index> vtkHoldfastSurfaceCurveInterpolator::Path(Index from, Index to)
 {
   if (!this->Surface || !this->Regions) return {};

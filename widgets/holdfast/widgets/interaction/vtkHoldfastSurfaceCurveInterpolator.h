@@ -16,6 +16,7 @@ class vtkHoldfastSurfaceCurveInterpolator : public vtkContourLineInterpolator {
  public:
   static vtkHoldfastSurfaceCurveInterpolator* New();
   vtkTypeMacro(vtkHoldfastSurfaceCurveInterpolator, vtkContourLineInterpolator)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Set the surface and the regions; both are null by default. Nothing is joined until both are set and made of one
   /// model.

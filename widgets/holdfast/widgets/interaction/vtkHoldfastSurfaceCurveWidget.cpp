@@ -26,6 +26,11 @@ vtkHoldfastSurfaceCurveWidget::vtkHoldfastSurfaceCurveWidget()
   this->BindKey<&Widget::Cancel>("Escape", vtkWidgetEvent::Reset);
 }
 
+void vtkHoldfastSurfaceCurveWidget::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
 void vtkHoldfastSurfaceCurveWidget::SetEnabled(int enabling)
 {
   this->WidgetOf::SetEnabled(enabling);

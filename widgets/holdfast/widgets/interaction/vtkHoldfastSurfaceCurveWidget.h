@@ -52,6 +52,7 @@ class vtkHoldfastSurfaceCurveWidget
  public:
   static vtkHoldfastSurfaceCurveWidget* New();
   vtkTypeMacro(vtkHoldfastSurfaceCurveWidget, vtkContourWidget)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   [[nodiscard]] vtkHoldfastSurfaceCurveRepresentation* GetSurfaceCurveRepresentation() { return &this->Drawn(); }
   void SetEnabled(int enabling) override;

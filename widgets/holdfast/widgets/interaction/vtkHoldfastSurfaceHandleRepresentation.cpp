@@ -7,6 +7,12 @@ using namespace holdfast;
 
 vtkStandardNewMacro(vtkHoldfastSurfaceHandleRepresentation);
 
+void vtkHoldfastSurfaceHandleRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Placed: " << this->Placement.has_value() << '\n';
+}
+
 const VisibleSurface* vtkHoldfastSurfaceHandleRepresentation::GetSurface() const
 {
   const auto* placer = vtkHoldfastSurfacePointPlacer::SafeDownCast(this->PointPlacer);

@@ -31,6 +31,7 @@ class vtkHoldfastSurfaceHandleRepresentation : public vtkPointHandleRepresentati
  public:
   static vtkHoldfastSurfaceHandleRepresentation* New();
   vtkTypeMacro(vtkHoldfastSurfaceHandleRepresentation, vtkPointHandleRepresentation2D)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Returns where the handle is; null before it is placed. `SetPlacement` copies; with null it makes the handle one
   /// that is not placed.

@@ -6,6 +6,15 @@ using namespace holdfast;
 
 vtkStandardNewMacro(vtkHoldfastSurfacePointPlacer);
 
+void vtkHoldfastSurfacePointPlacer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Surface: " << this->Surface.get() << '\n';
+  os << indent << "Kind: " << static_cast<int>(this->Kind) << '\n';
+  os << indent << "SnapPixels: " << this->SnapPixels << '\n';
+  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
+}
+
 bool vtkHoldfastSurfacePointPlacer::Pick(vtkRenderer& renderer, const double displayPos[2], SurfacePick& pick) const
 {
   if (!this->Surface) return false;

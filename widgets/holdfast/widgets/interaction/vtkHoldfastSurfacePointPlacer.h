@@ -22,6 +22,7 @@ class vtkHoldfastSurfacePointPlacer : public vtkPointPlacer {
  public:
   static vtkHoldfastSurfacePointPlacer* New();
   vtkTypeMacro(vtkHoldfastSurfacePointPlacer, vtkPointPlacer)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Sets the surface; with null, the default, there are no points. It may change at any time.
   void SetSurface(std::shared_ptr<const holdfast::VisibleSurface> surface)

@@ -35,6 +35,14 @@ vtkHoldfastSurfacePointRepresentation::vtkHoldfastSurfacePointRepresentation()
   this->SetPixelRatio(1);
 }
 
+void vtkHoldfastSurfacePointRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Surface: " << this->Surface.get() << '\n';
+  os << indent << "Preview: " << (this->Preview ? "on" : "off") << '\n';
+  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
+}
+
 void vtkHoldfastSurfacePointRepresentation::SetSurface(std::shared_ptr<const VisibleSurface> surface)
 {
   if (this->Surface == surface) return;

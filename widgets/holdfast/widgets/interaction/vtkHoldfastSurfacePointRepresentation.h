@@ -20,6 +20,7 @@ class vtkHoldfastSurfacePointRepresentation : public holdfast::DrawnByProps<vtkW
  public:
   static vtkHoldfastSurfacePointRepresentation* New();
   vtkTypeMacro(vtkHoldfastSurfacePointRepresentation, vtkWidgetRepresentation)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Sets the surface. A point that is shown moves with it, and is removed where the surface is that of another mesh.
   /// With null, the default, no point is shown.

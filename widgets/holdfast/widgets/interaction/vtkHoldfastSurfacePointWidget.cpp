@@ -26,6 +26,14 @@ vtkHoldfastSurfacePointWidget::vtkHoldfastSurfacePointWidget()
   bindKey('a', ChooseNearest, &Call<&vtkHoldfastSurfacePointWidget::Choose<PickKind::Nearest>>);
 }
 
+void vtkHoldfastSurfacePointWidget::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Placer: " << this->Placer.Get() << '\n';
+  os << indent << "Kind: " << static_cast<int>(this->GetKind()) << '\n';
+  os << indent << "PixelRatio: " << this->GetPixelRatio() << '\n';
+}
+
 void vtkHoldfastSurfacePointWidget::Inform(vtkHoldfastSurfacePointRepresentation& representation)
 {
   representation.SetSurface(this->Placer->GetSurface());

@@ -48,6 +48,7 @@ class vtkHoldfastSurfacePointWidget : public holdfast::WidgetOf<vtkHoldfastSurfa
 
   static vtkHoldfastSurfacePointWidget* New();
   vtkTypeMacro(vtkHoldfastSurfacePointWidget, vtkAbstractWidget)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   [[nodiscard]] vtkHoldfastSurfacePointRepresentation* GetSurfacePointRepresentation() { return &this->Drawn(); }
 

@@ -102,6 +102,16 @@ vtkHoldfastSurfaceRulerRepresentation::vtkHoldfastSurfaceRulerRepresentation()
   this->SetPixelRatio(1);
 }
 
+void vtkHoldfastSurfaceRulerRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Placer: " << this->Placer.Get() << '\n';
+  os << indent << "ShowVector: " << this->ShowVector << '\n';
+  os << indent << "Units: " << this->Units << '\n';
+  os << indent << "LabelVisibility: " << this->LabelVisibility << '\n';
+  os << indent << "PixelRatio: " << this->GetPixelRatio() << '\n';
+}
+
 void vtkHoldfastSurfaceRulerRepresentation::SetSurface(std::shared_ptr<const VisibleSurface> surface)
 {
   const auto before = this->Placer->GetSurface();

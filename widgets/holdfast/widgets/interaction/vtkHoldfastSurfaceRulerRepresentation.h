@@ -21,6 +21,7 @@ class vtkHoldfastSurfaceRulerRepresentation : public vtkDistanceRepresentation2D
  public:
   static vtkHoldfastSurfaceRulerRepresentation* New();
   vtkTypeMacro(vtkHoldfastSurfaceRulerRepresentation, vtkDistanceRepresentation2D)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Returns the placer of both ends. Set its surface and its ratio of pixels by the functions below.
   [[nodiscard]] vtkHoldfastSurfacePointPlacer* GetPlacer() const { return this->Placer; }

@@ -20,6 +20,11 @@ vtkHoldfastSurfaceRulerWidget::vtkHoldfastSurfaceRulerWidget()
   this->BindKey<&vtkHoldfastSurfaceRulerWidget::Cancel>("Escape", vtkWidgetEvent::Reset);
 }
 
+void vtkHoldfastSurfaceRulerWidget::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
 void vtkHoldfastSurfaceRulerWidget::SetEnabled(int enabling)
 {
   if (enabling == 0) this->Cancel();

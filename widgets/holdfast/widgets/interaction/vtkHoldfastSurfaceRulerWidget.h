@@ -46,6 +46,7 @@ class vtkHoldfastSurfaceRulerWidget
  public:
   static vtkHoldfastSurfaceRulerWidget* New();
   vtkTypeMacro(vtkHoldfastSurfaceRulerWidget, vtkDistanceWidget)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   [[nodiscard]] vtkHoldfastSurfaceRulerRepresentation* GetRulerRepresentation() { return &this->Drawn(); }
   /// Enables or disables the widget. Disabling cancels a drag or a half-drawn ruler, and keeps a complete one.
