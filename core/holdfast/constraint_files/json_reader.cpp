@@ -327,7 +327,7 @@ Vector3 JsonReader::vector() const
 
 Vector3 JsonReader::direction() const
 {
-  const Vector3 value = vector();
+  Vector3 value = vector();
   if ((value.array() == 0).all()) fail("a direction cannot be zero in x, y and z; its length does not matter");
   return value;
 }

@@ -31,7 +31,8 @@ struct NormalCorner {
   int corner;
   int face;
 
-  friend auto operator<=>(const NormalCorner&, const NormalCorner&) = default;
+  // The compiler writes a zero where clang-tidy would have a null pointer.
+  friend auto operator<=>(const NormalCorner&, const NormalCorner&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// All corners that name a normal which a moved face names, those of one normal and one vertex side by side.

@@ -25,7 +25,8 @@ constexpr std::uint64_t kLargestPart = std::uint64_t{1} << 30U;  // LZ4 counts i
 
 std::string encodedBytes(std::string bytes, bool isBase64)
 {
-  return isBase64 ? toBase64(bytes) : bytes;
+  if (isBase64) return toBase64(bytes);
+  return bytes;
 }
 
 std::string headerOf(const std::vector<std::uint64_t>& sizes, const VtpEncoding& encoding)
