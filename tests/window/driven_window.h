@@ -37,7 +37,8 @@ class DrivenWindow {
     return *found;
   }
 
-  /// Where a place is shown, and the middle of the shaft of an arrow of the gizmo: in the viewport's coordinates.
+  /// Return where a place is shown, and the middle of the shaft of an arrow of the gizmo, in the viewport's
+  /// coordinates.
   [[nodiscard]] QPointF shownAt(const Vector3& place);
   [[nodiscard]] QPointF onArrow(int axis);
   /// The vertex that is nearest to a place now.

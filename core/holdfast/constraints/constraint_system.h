@@ -13,7 +13,7 @@
 namespace holdfast {
 
 enum class RowKind {
-  Position,  ///< where a point of the surface is
+  Position,  ///< where a point of the surface is; its part is taken to be that of its first unknown
   Region,    ///< how an unknown of a rigid region lies to the first one of it: the vector x_i - x_ref of (28)
   Relative   ///< how one point of the surface lies to another: p_from - p_to, Fig. 8
 };
@@ -27,7 +27,9 @@ struct ConstraintRow {
   Vector3 shift;         ///< d - B p at rest: what the row asks of the displacement
   Index constraint = 0;  ///< place in the list of the constraint that it came from
   RowKind kind = RowKind::Position;
-  int corners = 0;  ///< vertices of the file that a single point hangs on; 0 for a vertex of a selection
+  /// How many vertices of the file a single point hangs on; 0 for a vertex of a selection. Marks, drags and verdicts
+  /// take a position with corners for a point with a target of its own.
+  int corners = 0;
   RowDirections directions = {};
 
   /// Tells whether the row is a pin. A pin places a vertex: the solution copies its target.
