@@ -1,4 +1,6 @@
 #include <QElapsedTimer>
+#include <QStatusBar>
+#include <QTimer>
 
 #include <gtest/gtest.h>
 #include <vtkRenderWindow.h>
@@ -88,6 +90,24 @@ TEST_F(LargeMeshInWindow, IsDrawnInFullWhileTheCursorMoves)
   trigger("toolPoint");
   test::drag(viewport(), {{100, 100}, {120, 110}, {140, 120}}, Qt::RightButton);
   ASSERT_TRUE(test::waitUntil([this] { return !viewport().isInFullDetail(); }));
+  int k = 0;
+  EXPECT_TRUE(test::waitUntil(
+      [&] {
+        ++k;
+        test::moveMouse(viewport(), {viewport().width() / 2.0 + k % 20, viewport().height() / 2.0});
+        return viewport().isInFullDetail();
+      },
+      std::chrono::seconds(30)));
+}
+
+TEST_F(LargeMeshInWindow, IsDrawnInFullWhileTheWindowIsRepaintedAllTheTime)
+{
+  trigger("toolPoint");
+  test::drag(viewport(), {{100, 100}, {120, 110}, {140, 120}}, Qt::RightButton);
+  ASSERT_TRUE(test::waitUntil([this] { return !viewport().isInFullDetail(); }));
+  QTimer repaints;
+  QObject::connect(&repaints, &QTimer::timeout, &viewport(), [this] { window.statusBar()->update(); });
+  repaints.start(0);
   int k = 0;
   EXPECT_TRUE(test::waitUntil(
       [&] {

@@ -83,7 +83,7 @@ HandleConstraint readHandle(const JsonReader& json)
   HandleConstraint handle{readSelection(json["select"]), {}, Vector3::Zero(), {}};
   if (!hasAnyOf(json, kNeeded))
     json.fail(R"(a handle needs "rotate", "translate" or both, or another way to go: "turn", "frame", "targets", )"
-              R"("rotations"; "fixed" is the type of what stays where it is)");
+              R"("rotations"; "fixed" is the type for vertices that stay in their places)");
   handle.motion = readMotion(json);
   if (json.has("translate")) handle.translate = json["translate"].vector();
   if (json.has("rotations")) handle.rotations = json["rotations"].listAboveZero(readAxisAngle);

@@ -21,7 +21,7 @@ constexpr double kBoundIsEnough = 1e-12;
 // large.
 constexpr double kStepFactor = 8;
 
-/// The largest coordinate of what a row asks for, and of what its unknowns move by, whatever cancels.
+/// Returns the largest coordinate of the target of a row and of the displacements in it, also where these cancel.
 double sizeOfRow(const ConstraintRow& row, const Columns3& u)
 {
   Eigen::RowVector3d moved = Eigen::RowVector3d::Zero();

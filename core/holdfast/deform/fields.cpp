@@ -90,6 +90,7 @@ Field detailField(const Model& model, const DeformResult& deformation)
 // In the order of `FieldKind`.
 constexpr std::array kFields{residualField, statusField,     displacementField, rotationField,
                              angleField,    multiplierField, detailField};
+static_assert(kFields.size() == static_cast<std::size_t>(FieldKind::DetailResidual) + 1);
 
 }  // namespace
 

@@ -102,14 +102,14 @@ std::string whyUnread(const Format* format, std::string_view extension)
 
 std::span<const std::string_view> meshExtensions()
 {
-  static const std::vector<std::string_view> extensions = extensionsWith(&Format::read);
-  return extensions;
+  static const std::vector<std::string_view> kExtensions = extensionsWith(&Format::read);
+  return kExtensions;
 }
 
 std::span<const std::string_view> outputExtensions()
 {
-  static const std::vector<std::string_view> extensions = extensionsWith(&Format::write);
-  return extensions;
+  static const std::vector<std::string_view> kExtensions = extensionsWith(&Format::write);
+  return kExtensions;
 }
 
 MeshDocument readMesh(const std::filesystem::path& path)

@@ -3,23 +3,20 @@
 #include <fmt/format.h>
 
 namespace holdfast {
-namespace {
 
-std::string text(const char* what, Index id, const std::vector<Index>& labels)
+std::string labelText(const std::vector<Index>& labels, Index id)
 {
-  return labels.empty() ? fmt::format("{} {}", what, id) : fmt::format("{} {} (labelled {})", what, id, labels[id]);
+  return labels.empty() ? "" : fmt::format(" (labelled {})", labels[id]);
 }
-
-}  // namespace
 
 std::string vertexText(const Mesh& mesh, Index vertex)
 {
-  return text("vertex", vertex, mesh.labels.vertices);
+  return fmt::format("vertex {}{}", vertex, labelText(mesh.labels.vertices, vertex));
 }
 
 std::string faceText(const Mesh& mesh, Index face)
 {
-  return text("face", face, mesh.labels.faces);
+  return fmt::format("face {}{}", face, labelText(mesh.labels.faces, face));
 }
 
 }  // namespace holdfast

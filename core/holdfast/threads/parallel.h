@@ -18,8 +18,8 @@ namespace holdfast {
 [[nodiscard]] inline Index threadCount()
 {
   constexpr Index kMost = 8;
-  static const Index count = std::clamp<Index>(static_cast<Index>(std::thread::hardware_concurrency()), 1, kMost);
-  return count;
+  static const Index kCount = std::clamp<Index>(static_cast<Index>(std::thread::hardware_concurrency()), 1, kMost);
+  return kCount;
 }
 
 using ThreadWork = std::function<void(Index thread)>;

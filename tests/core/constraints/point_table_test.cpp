@@ -90,9 +90,9 @@ TEST(PointTable, IsReadInTheFormatThatIsChosen)
 
 TEST(PointTable, WithoutRowsIsRefused)
 {
-  EXPECT_THROW(readPointTable("", "a.csv"), InputError);
-  EXPECT_THROW(readPointTable("x,y,z\n", "a.csv"), InputError);
-  EXPECT_THROW(readPointTable("x,y,z\n\"1,2\n", "a.csv"), InputError);
+  EXPECT_THROW(static_cast<void>(readPointTable("", "a.csv")), InputError);
+  EXPECT_THROW(static_cast<void>(readPointTable("x,y,z\n", "a.csv")), InputError);
+  EXPECT_THROW(static_cast<void>(readPointTable("x,y,z\n\"1,2\n", "a.csv")), InputError);
 }
 
 }  // namespace

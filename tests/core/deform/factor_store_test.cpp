@@ -45,19 +45,19 @@ class FactorStoreOfPlate : public testing::Test {
 TEST_F(FactorStoreOfPlate, ServesOtherTargetsByTheSameFactor)
 {
   FactorStore store = storeFor(DeformerMode::Repeatable);
-  const ConstraintFactorization& first = serving(store, system({lift(60, 1)}));
-  EXPECT_EQ(&serving(store, system({lift(60, 2)})), &first);
-  EXPECT_TRUE(first.serves(system({lift(60, 3)})));
-  EXPECT_FALSE(first.serves(system({lift(61, 1)})));
+  const ConstraintFactorization* const first = &serving(store, system({lift(60, 1)}));
+  EXPECT_EQ(&serving(store, system({lift(60, 2)})), first);
+  EXPECT_TRUE(first->serves(system({lift(60, 3)})));
+  EXPECT_FALSE(first->serves(system({lift(61, 1)})));
 }
 
 TEST_F(FactorStoreOfPlate, MakesNewFactorsOfOtherRowsWhereCallsAreRepeatable)
 {
   FactorStore store = storeFor(DeformerMode::Repeatable);
   EXPECT_FALSE(factorised(store, system({lift(60, 1)})).isBordered);
-  const ConstraintFactorization& second = factorised(store, system({lift(60, 1), lift(70, 1)}));
-  EXPECT_FALSE(second.isBordered);
-  EXPECT_EQ(second.moved, nullptr) << "no solution is a sum of earlier ones";
+  const ConstraintFactorization* const second = &factorised(store, system({lift(60, 1), lift(70, 1)}));
+  EXPECT_FALSE(second->isBordered);
+  EXPECT_EQ(second->moved, nullptr) << "no solution is a sum of earlier ones";
   EXPECT_EQ(&store.operators(noProgress()), &store.operators(noProgress()));
 }
 

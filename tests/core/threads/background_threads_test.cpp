@@ -1,5 +1,4 @@
 #include <atomic>
-#include <chrono>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -11,14 +10,19 @@ namespace {
 
 TEST(BackgroundThreads, AreWaitedForAtTheirEnd)
 {
+  std::atomic<bool> mayEnd = false;
   std::atomic<int> ended = 0;
   {
     BackgroundThreads threads;
     for (int k = 0; k < 3; ++k)
-      threads.start([&ended] {
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      threads.start([&] {
+        mayEnd.wait(false);
+        // Long enough for an owner who does not wait to be found out.
+        for (int turn = 0; turn < 1000; ++turn) std::this_thread::yield();
         ++ended;
       });
+    mayEnd = true;
+    mayEnd.notify_all();
   }
   EXPECT_EQ(ended, 3);
 }

@@ -120,7 +120,7 @@ TEST(ResultVerdict, OfTwoPointsInOneFaceNamesWhatStandsOutAndWhatHelps)
     const Report report = reportOf(ball, {test::hold({3, 9, 10}), test::moveBy(AtFace{0, {0.36, 0.32, 0.32}}, asked),
                                           test::moveBy(AtFace{0, {0.36 + apart, 0.32 - apart, 0.32}}, -asked)});
     EXPECT_EQ(report.result.status, ResultStatus::Doubtful);
-    const Finding& points = findingIn(report, "overshooting_points");
+    const Finding points = findingIn(report, "overshooting_points");
     EXPECT_THAT(points.ids, ElementsAre(1, 2));
     EXPECT_THAT(points.message, HasSubstr("leave some of them out"));
     EXPECT_THAT(points.message, HasSubstr("soft"));

@@ -112,8 +112,8 @@ struct FileLayout {
   std::vector<std::size_t> typeWords = {};      ///< where a header names types of coordinates that become double
   std::vector<std::string> notesOfMotion = {};  ///< what is to be said where a vertex moves
   std::vector<std::string> remarks = {};        ///< see `MeshDocument::remarks`
-  /// Rounds positions as the format stores them, and notes what that loses. The pointer is null where the format holds
-  /// doubles.
+  /// Rounds positions as the format stores them, and notes what that loses. What it returns is written: as text in its
+  /// shortest form, in binary files as single precision. The pointer is null where the format holds doubles.
   Positions (*stored)(const Positions& positions, std::vector<std::string>& notes) = nullptr;
 };
 

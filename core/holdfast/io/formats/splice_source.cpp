@@ -29,7 +29,7 @@ class SpliceSource final : public MeshSource {
     update.notes.insert(update.notes.end(), layout_.notesOfMotion.begin(), layout_.notesOfMotion.end());
     std::optional<Positions> stored;
     if (layout_.stored != nullptr) stored = layout_.stored(positions, update.notes);
-    return {spliced(rest.positions, positions, update), std::move(update.notes), std::move(stored)};
+    return {spliced(rest.positions, stored ? *stored : positions, update), std::move(update.notes), std::move(stored)};
   }
 
  private:
@@ -87,7 +87,7 @@ class SpliceSource final : public MeshSource {
   /// Of coordinates.
   [[nodiscard]] NumberType writtenType() const
   {
-    return layout_.stored != nullptr ? NumberType::Float : NumberType::Double;
+    return layout_.byteOrder && layout_.stored != nullptr ? NumberType::Float : NumberType::Double;
   }
 
   [[nodiscard]] std::string bytesOf(double value, NumberType type) const

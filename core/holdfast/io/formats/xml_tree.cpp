@@ -17,6 +17,17 @@ namespace {
 
 constexpr std::string_view kXmlBlank = " \t\r\n";
 
+// Expat 2.9 counts in 64 bits everywhere, by functions of other names.
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+constexpr auto kCurrentByte = XML_GetCurrentByteIndex64;
+constexpr auto kCurrentCount = XML_GetCurrentByteCount64;
+constexpr auto kCurrentLine = XML_GetCurrentLineNumber64;
+#else
+constexpr auto kCurrentByte = XML_GetCurrentByteIndex;
+constexpr auto kCurrentCount = XML_GetCurrentByteCount;
+constexpr auto kCurrentLine = XML_GetCurrentLineNumber;
+#endif
+
 /// Makes a tree of what expat reports.
 class XmlTreeBuilder {
  public:
@@ -120,12 +131,12 @@ class XmlTreeBuilder {
     if (letters_ > bytes_.size()) fail("its entities make it longer than it is; write it anew without them");
   }
 
-  [[nodiscard]] std::size_t place() const { return static_cast<std::size_t>(XML_GetCurrentByteIndex(parser_.get())); }
-  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(XML_GetCurrentByteCount(parser_.get())); }
+  [[nodiscard]] std::size_t place() const { return static_cast<std::size_t>(kCurrentByte(parser_.get())); }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(kCurrentCount(parser_.get())); }
 
   [[noreturn]] void fail(const std::string& reason) const
   {
-    throw InputError({file_, static_cast<Index>(XML_GetCurrentLineNumber(parser_.get())), ""}, reason);
+    throw InputError({file_, static_cast<Index>(kCurrentLine(parser_.get())), ""}, reason);
   }
 
   std::string_view bytes_;

@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 13> kNames{
     "none",       "constraint-residual", "rotation",       "angle",          "displacement",        "detail",
     "force",      "displacement-x",      "displacement-y", "displacement-z", "displacement-normal", "area-change",
     "edge-change"};
+static_assert(kNames.size() == static_cast<std::size_t>(ColorBy::EdgeChange) + 1);
 
 // Decades of the logarithmic scale below the promise and, at least, above it: residuals of a good solution are
 // hundreds of times smaller than promised.
@@ -270,6 +271,7 @@ Index pointAt(const Model& model, const CutSurface& surface, Index face, Index v
 constexpr std::array kColorings{residualColoring,     rotationColoring, angleColoring,        displacementColoring,
                                 detailColoring,       forceColoring,    componentColoring<0>, componentColoring<1>,
                                 componentColoring<2>, normalColoring,   areaColoring,         edgeColoring};
+static_assert(kColorings.size() + 1 == kNames.size());
 
 }  // namespace
 

@@ -27,7 +27,7 @@ class SelectionsPanel final : public RefreshedPanel {
     save_ = named(new QPushButton(tr("Save the selection")), "selectionSave");
     save_->setToolTip(tr("Keep the selected vertices under a name"));
     select_ = named(new QPushButton(tr("Select")), "selectionSelect");
-    select_->setToolTip(tr("Select these vertices again, in place of what is selected"));
+    select_->setToolTip(tr("Select these vertices again, and nothing else"));
     connect(save_, &QPushButton::clicked, this, [this] { saveSelection(editor_); });
     connect(select_, &QPushButton::clicked, this, &SelectionsPanel::selectCurrent);
     auto* content = new QWidget;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include <holdfast/mesh/labels.h>
 #include <holdfast/window/text/number_text.h>
 #include <holdfast/words/printable.h>
 
@@ -100,12 +101,10 @@ QString locationText(const SurfaceLocation& location)
 
 QString labelText(const Mesh& mesh, const SurfaceLocation& location)
 {
-  std::optional<Index> label;
-  if (const auto* vertex = std::get_if<AtVertex>(&location); vertex != nullptr && !mesh.labels.vertices.empty())
-    label = mesh.labels.vertices[vertex->vertex];
-  if (const auto* face = std::get_if<AtFace>(&location); face != nullptr && !mesh.labels.faces.empty())
-    label = mesh.labels.faces[face->face];
-  return label ? QObject::tr(" (labelled %1)").arg(*label) : QString();
+  std::string text;
+  if (const auto* vertex = std::get_if<AtVertex>(&location)) text = labelText(mesh.labels.vertices, vertex->vertex);
+  if (const auto* face = std::get_if<AtFace>(&location)) text = labelText(mesh.labels.faces, face->face);
+  return QString::fromStdString(text);
 }
 
 QString selectionText(const Selection& selection)

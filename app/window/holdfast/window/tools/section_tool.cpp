@@ -26,7 +26,7 @@ void setColor(vtkProperty& property, const Color& color)
   property.SetSpecular(0);
 }
 
-/// In the colour of what is selected, and in the gizmo's yellow where the cursor would take it.
+/// Gives the plane the colour of selected things, and the gizmo's yellow where the cursor would take it.
 void setLook(vtkImplicitPlaneRepresentation& plane)
 {
   plane.DrawOutlineOff();

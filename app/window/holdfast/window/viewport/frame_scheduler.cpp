@@ -184,8 +184,10 @@ void FrameScheduler::goOnWhenDrawn()
   if (!fence_.pass()) return drawnTimer_.start(kMillisecondsBetweenLooks);
   const bool isRepaintDue = pause_.end();
   if (slices_.isUnderWay()) {
-    // Between two slices the window may repaint.
-    if (isRepaintDue) return drawnTimer_.start(kMillisecondsBetweenLooks);
+    // Between two slices the window may repaint once. What changes all the time would keep the next slice from its
+    // turn.
+    if (isRepaintDue && !std::exchange(hasRepainted_, true)) return drawnTimer_.start(kMillisecondsBetweenLooks);
+    hasRepainted_ = false;
     return renderSlice();
   }
   // Before its first painting there is no OpenGL context, and nothing was drawn.

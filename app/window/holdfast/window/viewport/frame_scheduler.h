@@ -100,8 +100,9 @@ class FrameScheduler : public QObject {
   double fullMilliseconds_ = 0;  // of the last picture in full detail
   bool isHeld_ = false;
   bool isCoarse_ = false;
-  bool isSceneDue_ = false;  // the next picture is one of the scene, too
-  bool isFullDue_ = false;   // the mouse rests long enough, but a coarse picture is under way
+  bool isSceneDue_ = false;    // the next picture is one of the scene, too
+  bool isFullDue_ = false;     // the mouse rests long enough, but a coarse picture is under way
+  bool hasRepainted_ = false;  // the window, since the last slice
 };
 
 }  // namespace holdfast

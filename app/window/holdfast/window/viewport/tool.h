@@ -31,7 +31,7 @@ class Tool : public QObject {
   /// These two are called when the user has chosen this tool, and when the user has chosen another one.
   virtual void begin();
   virtual void end();
-  /// This is called when the mouse is over something in front of what the tool works on.
+  /// This is called when something in front of the surface is under the mouse.
   virtual void leave() {}
   /// Tells whether the tool calls `Viewport::setPreview` with what a click would take.
   [[nodiscard]] virtual bool hasPreview() const { return false; }
