@@ -314,8 +314,8 @@ bool DocumentExports::mayMiss(double length)
 {
   if (length == 0) return true;
   return askToGoOn(window_, tr("“%1” would not be exact.").arg(name()),
-                   tr("This format rounds coordinates: readers of the file find constraints missed by up to %1. PLY, "
-                      "OBJ and OFF keep every digit.")
+                   tr("This format stores coordinates in single precision: readers of the file find constraints missed "
+                      "by up to %1. PLY, OBJ and OFF keep every digit.")
                        .arg(lengthText(length, {editor_.lengthStyle().units})),
                    tr("&Export anyway"));
 }
