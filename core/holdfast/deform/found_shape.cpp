@@ -193,8 +193,9 @@ FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, Rotat
       targets = {shiftsOf(shape.system), std::move(diagnosis.reconciled), std::move(diagnosis.particular)};
     }
     shape.wanted = problem.energy.wanted(R);
-    return shape.displacement.u.size() == 0 ? problem.solver.solve(targets, shape.wanted)
-                                            : problem.solver.solveFrom(shape.displacement, targets, shape.wanted);
+    return shape.displacement.u.size() == 0
+               ? problem.solver.solve(targets, shape.wanted)
+               : problem.solver.solveFrom(Displacement(shape.displacement), targets, shape.wanted);
   };
   shape.displacement = solved();
   Acceleration acceleration;

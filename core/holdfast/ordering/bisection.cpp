@@ -226,7 +226,7 @@ Bisection bisect(const Graph& graph)
 {
   RandomNumbers random(2);
   const std::int64_t total = std::accumulate(graph.weight.begin(), graph.weight.end(), std::int64_t{0});
-  const int mostWeight = static_cast<int>(1 + 3 * total / (2 * kCoarsest));
+  const int mostWeight = static_cast<int>(1 + 3 * total / (std::int64_t{2} * kCoarsest));
   const int tried = graph.size() < kLarge ? 0 : std::min(kMostTried, graph.size() / kTriedShare);
   return multilevel(graph, mostWeight, tried, random);
 }

@@ -101,7 +101,7 @@ void rankPieces(const Graph& graph, const std::vector<Domain>& pieces, std::vect
 
 }  // namespace
 
-std::vector<int> nestedDissection(Graph graph)
+std::vector<int> nestedDissection(const Graph& graph)
 {
   std::vector<int> ranks(static_cast<std::size_t>(graph.size()));
   std::vector<Domain> pieces;

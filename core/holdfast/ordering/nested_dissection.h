@@ -14,6 +14,6 @@ namespace holdfast {
 /// The graph is cut in two parts. All vertices with an edge across the cut come last. These are two layers, so no path
 /// of two edges leads past them. What is left of each part is cut again, with those that came last around it, since
 /// paths lead over them. This goes on down to small pieces.
-[[nodiscard]] std::vector<int> nestedDissection(Graph graph);
+[[nodiscard]] std::vector<int> nestedDissection(const Graph& graph);
 
 }  // namespace holdfast

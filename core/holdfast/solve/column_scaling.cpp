@@ -20,12 +20,12 @@ Result<ScaledColumns> scaleColumns(SparseMatrix&& M)
 {
   Eigen::VectorXd squares(M.cols());
   parallelBlocks(M.cols(), [&](Index k) { squares[k] = M.col(k).squaredNorm(); });
-  auto [scale, failure] = unitScale(squares);
-  if (!failure.empty()) return {{}, std::move(failure)};
+  Result<Eigen::VectorXd> scale = unitScale(squares);
+  if (!scale) return {{}, std::move(scale.failure)};
   parallelBlocks(M.cols(), [&](Index k) {
-    for (SparseMatrix::InnerIterator entry(M, k); entry; ++entry) entry.valueRef() *= scale[k];
+    for (SparseMatrix::InnerIterator entry(M, k); entry; ++entry) entry.valueRef() *= scale.value[k];
   });
-  return {{TwoWayMatrix(std::move(M)), std::move(scale)}};
+  return {{TwoWayMatrix(std::move(M)), std::move(scale.value)}};
 }
 
 }  // namespace holdfast

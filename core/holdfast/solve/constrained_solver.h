@@ -43,7 +43,7 @@ class ConstrainedSolver {
 
   /// Solves like `solve`, from a solution `near` for about the same. Where that is near enough it takes half the time,
   /// and the result is as accurate. The last digits depend on `near`.
-  [[nodiscard]] virtual Displacement solveFrom(Displacement /*near*/, const RowTargets& targets,
+  [[nodiscard]] virtual Displacement solveFrom(Displacement&& /*near*/, const RowTargets& targets,
                                                const Columns3& f) const
   {
     return solve(targets, f);
@@ -65,7 +65,7 @@ class ConstrainedSolver {
   /// Makes a solver under `others` from this one's decomposition. It adds a border of one column for each row more and
   /// for each row fewer. Fails where these are too many, or where the solver does not do that. O(factor) for three
   /// rows.
-  [[nodiscard]] virtual SolverResult edited(std::shared_ptr<const EliminatedConstraints> others) const;
+  [[nodiscard]] virtual SolverResult edited(const std::shared_ptr<const EliminatedConstraints>& others) const;
 
   /// Returns how many unknowns the system that is solved has, for each coordinate.
   [[nodiscard]] virtual Index unknowns() const = 0;
@@ -97,6 +97,6 @@ struct ConstrainedProblem {
 /// `makeSolver` calls one of these three.
 [[nodiscard]] SolverResult makeHardSolver(ConstrainedProblem problem, Backend backend);
 [[nodiscard]] SolverResult makeSoftSolver(ConstrainedProblem problem, Backend backend, double weight);
-[[nodiscard]] SolverResult makeLagrangeSolver(ConstrainedProblem problem, Backend backend);
+[[nodiscard]] SolverResult makeLagrangeSolver(const ConstrainedProblem& problem, Backend backend);
 
 }  // namespace holdfast

@@ -49,7 +49,7 @@ class HardSolver final : public ConstrainedSolver {
     return solved({particular(targets)}, f, {});
   }
 
-  [[nodiscard]] Displacement solveFrom(Displacement near, const RowTargets& targets, const Columns3& f) const override
+  [[nodiscard]] Displacement solveFrom(Displacement&& near, const RowTargets& targets, const Columns3& f) const override
   {
     if (near.left == 0) return solve(targets, f);  // a difference does not tell what is left of all
     meet(targets, near.u);
@@ -85,12 +85,11 @@ class HardSolver final : public ConstrainedSolver {
     parallelBlocks(u.rows(), [&](Index i) { u.row(i) += step.row(i); });
   }
 
-  [[nodiscard]] SolverResult edited(std::shared_ptr<const EliminatedConstraints> others) const override
+  [[nodiscard]] SolverResult edited(const std::shared_ptr<const EliminatedConstraints>& others) const override
   {
     Result<ReducedProblem> result = bordered(reduced_, *problem_.eliminated, *others);
     if (!result) return {nullptr, std::move(result.failure)};
-    return {
-        std::make_unique<HardSolver>(ConstrainedProblem{problem_.A, std::move(others), {}}, std::move(result.value))};
+    return {std::make_unique<HardSolver>(ConstrainedProblem{problem_.A, others, {}}, std::move(result.value))};
   }
 
   /// The largest coordinate of what `u` leaves of the rows that hold.
@@ -195,6 +194,7 @@ OwnSolver hardSolver(ConstrainedProblem problem, Backend backend, SparseMatrix Q
   currentStep()->stopIfLeftBehind();
   Q2 = orderedColumns(Q2, problem.ranks);
   std::vector<RowTerms> rows;
+  rows.reserve(kept.size());
   for (const Index row : kept) rows.push_back(problem.eliminated->rows[row]);
   SparseRows K = constraintMatrix(rows, Q2.rows()) * Q2;
   const EliminationOrder order = orderFor(problem, Q2);
@@ -227,15 +227,15 @@ class MultipliersFirst final : public ConstrainedSolver {
     return sufficient(solver_->solve(targets, f), targets, f);
   }
 
-  [[nodiscard]] Displacement solveFrom(Displacement near, const RowTargets& targets, const Columns3& f) const override
+  [[nodiscard]] Displacement solveFrom(Displacement&& near, const RowTargets& targets, const Columns3& f) const override
   {
     return sufficient(solver_->solveFrom(std::move(near), targets, f), targets, f);
   }
 
   void meet(const RowTargets& targets, Columns3& u) const override { solver_->meet(targets, u); }
-  [[nodiscard]] SolverResult edited(std::shared_ptr<const EliminatedConstraints> others) const override
+  [[nodiscard]] SolverResult edited(const std::shared_ptr<const EliminatedConstraints>& others) const override
   {
-    return solver_->edited(std::move(others));
+    return solver_->edited(others);
   }
 
   [[nodiscard]] Index unknowns() const override { return solver_->unknowns(); }

@@ -83,13 +83,14 @@ std::optional<SparseLu> factorLu(const SparseMatrix& K, Backend backend)
 
 }  // namespace
 
-SolverResult makeLagrangeSolver(ConstrainedProblem problem, Backend backend)
+SolverResult makeLagrangeSolver(const ConstrainedProblem& problem, Backend backend)
 {
   const EliminatedConstraints& eliminated = *problem.eliminated;
   const SparseMatrix whole = problem.A->matrix();
   SparseMatrix spread = Elimination({}, {}, whole.cols(), eliminated.isHeld).Q2();
   std::vector<Index> rows = independentRows(eliminated.dependencies, eliminated.rows.size());
   std::vector<RowTerms> terms;
+  terms.reserve(rows.size());
   for (const Index row : rows) terms.push_back(eliminated.rows[row]);
   SparseMatrix A = whole * spread;
   SparseMatrix B = constraintMatrix(terms, whole.cols()) * spread;

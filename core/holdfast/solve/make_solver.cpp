@@ -13,7 +13,7 @@ std::string_view name(SolverKind kind)
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-SolverResult ConstrainedSolver::edited(std::shared_ptr<const EliminatedConstraints> /*others*/) const
+SolverResult ConstrainedSolver::edited(const std::shared_ptr<const EliminatedConstraints>& /*others*/) const
 {
   return {nullptr, "only hard constraints are edited"};
 }
@@ -25,7 +25,7 @@ SolverResult makeSolver(ConstrainedProblem problem, const SolverOptions& options
   if (options.kind == SolverKind::Soft && !(options.softWeight > 0 && std::isfinite(options.softWeight)))
     return {nullptr, fmt::format("the soft weight is {}; it has to be positive", options.softWeight)};
   if (options.kind == SolverKind::Soft) return makeSoftSolver(std::move(problem), options.backend, options.softWeight);
-  if (options.kind == SolverKind::Lagrange) return makeLagrangeSolver(std::move(problem), options.backend);
+  if (options.kind == SolverKind::Lagrange) return makeLagrangeSolver(problem, options.backend);
   return makeHardSolver(std::move(problem), options.backend);
 }
 

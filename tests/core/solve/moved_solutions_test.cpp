@@ -25,7 +25,7 @@ class Linear final : public ConstrainedSolver {
     ++solutions;
     return {map_ * targets.shifts + f, 1, 1e-14};
   }
-  [[nodiscard]] Displacement solveFrom(Displacement near, const RowTargets& targets, const Columns3& f) const override
+  [[nodiscard]] Displacement solveFrom(Displacement&& near, const RowTargets& targets, const Columns3& f) const override
   {
     Displacement result = solve(targets, f);
     farthest = (near.u - result.u).cwiseAbs().maxCoeff();

@@ -23,10 +23,9 @@ constexpr std::uint64_t kLargestPart = std::uint64_t{1} << 30U;  // LZ4 counts i
   throw VtpFault("its data are cut short");
 }
 
-std::string encodedBytes(std::string bytes, bool isBase64)
+std::string encodedBytes(std::string&& bytes, bool isBase64)
 {
-  if (isBase64) return toBase64(bytes);
-  return bytes;
+  return isBase64 ? toBase64(bytes) : std::move(bytes);
 }
 
 std::string headerOf(const std::vector<std::uint64_t>& sizes, const VtpEncoding& encoding)
