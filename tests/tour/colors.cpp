@@ -6,7 +6,7 @@ namespace holdfast::tour {
 namespace {
 
 // In the order of the panel's entries.
-enum RangeKind { kAutomatic, kFixed, kLogarithmic };
+enum RangeKind { OfAllValues, OfFixedEnds, OfDecades };
 enum Rest { kHidden, kEdges, kSurface };
 
 }  // namespace
@@ -21,14 +21,14 @@ void colors(TourWindow& tour)
   }
   tour.choose("colorField", static_cast<int>(ColorBy::Displacement));
   tour.choose("colorMap", 3);
-  tour.choose("colorRangeKind", kFixed);
+  tour.choose("colorRangeKind", OfFixedEnds);
   tour.enter("colorLow", "10");
   tour.enter("colorHigh", "60");
   tour.picture("other_map_and_fixed_range");
-  tour.choose("colorRangeKind", kLogarithmic);
+  tour.choose("colorRangeKind", OfDecades);
   tour.choose("colorMap", 0);
   tour.picture("logarithmic_range");
-  tour.choose("colorRangeKind", kAutomatic);
+  tour.choose("colorRangeKind", OfAllValues);
 
   tour.choose("colorField", static_cast<int>(ColorBy::None));
   tour.choose("restGhost", kSurface);

@@ -47,7 +47,7 @@ AtFace readFace(const JsonReader& json)
 InBox readBox(const JsonReader& json)
 {
   json.requireKeys({"min", "max"});
-  const InBox box{json["min"].vector(), json["max"].vector()};
+  InBox box{json["min"].vector(), json["max"].vector()};
   for (int axis = 0; axis < 3; ++axis)
     if (box.min[axis] > box.max[axis])
       json.fail("the box is turned inside out: min {} is larger than max {} in {}; exchange them", box.min[axis],
@@ -58,7 +58,7 @@ InBox readBox(const JsonReader& json)
 InSphere readSphere(const JsonReader& json)
 {
   json.requireKeys({"center", "radius"});
-  const InSphere sphere{json["center"].vector(), json["radius"].number()};
+  InSphere sphere{json["center"].vector(), json["radius"].number()};
   if (sphere.radius <= 0) json["radius"].fail("the radius must be above 0, this is {}", sphere.radius);
   return sphere;
 }

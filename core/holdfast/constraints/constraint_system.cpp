@@ -74,7 +74,7 @@ class SystemBuilder {
   [[nodiscard]] SurfacePoint located(const SurfaceLocation& location, const char* name) const
   {
     try {
-      const SurfacePoint point = locator_.locate(location, {});
+      SurfacePoint point = locator_.locate(location, {});
       for (const Term& term : point.terms) requirePlace(solverMesh_.withoutPlace, term.index, {}, ".vertex");
       return point;
     } catch (const InputError& error) {

@@ -260,9 +260,10 @@ std::vector<Index> firstOfUnknowns(std::span<const Index> vertices, const std::v
   places.reserve(vertices.size());
   for (const Index vertex : vertices) places.emplace_back(unknownOf[vertex], static_cast<Index>(places.size()));
   std::ranges::sort(places);
-  const auto repeated = std::ranges::unique(places, {}, &std::pair<int, Index>::first);
-  places.erase(repeated.begin(), repeated.end());
+  const auto isRepeated = [](const auto& a, const auto& b) { return a.first == b.first; };
+  places.erase(std::unique(places.begin(), places.end(), isRepeated), places.end());
   std::vector<Index> result;
+  result.reserve(places.size());
   for (const auto& [unknown, place] : places) result.push_back(place);
   std::ranges::sort(result);
   return result;

@@ -47,11 +47,12 @@ ConstraintFactorization::ConstraintFactorization(std::shared_ptr<const Model> mo
                          [A = of.A, eliminated = eliminated] { return ActedOn(*A, eliminated->rows); })),
       rotations(
           std::make_shared<RotationFactorization>(model->solverMesh, of.operators, options.solver.backend, ranks)),
-      positions([model = std::move(model), A = of.A, eliminated = eliminated, ranks, options = options]() mutable {
-        const Columns3& rest = model->solverMesh.rest;
-        return makeSolver({A, eliminated, rest.rowwise() - rest.colwise().mean(), std::move(ranks)},
-                          inDiagonals(options, model->solverMesh));
-      })
+      positions(
+          [model = std::move(model), A = of.A, eliminated = eliminated, ranks = ranks, options = options]() mutable {
+            const Columns3& rest = model->solverMesh.rest;
+            return makeSolver({A, eliminated, rest.rowwise() - rest.colwise().mean(), std::move(ranks)},
+                              inDiagonals(options, model->solverMesh));
+          })
 {
 }
 

@@ -42,12 +42,11 @@ Positions deformedPositions(const Model& model, const ConstraintSystem& system, 
     const Index unknown = unknownOf[v];
     const bool isPin = pinOf[unknown] >= 0;
     const bool rests = isPin && isApart && system.rows[pinOf[unknown]].shift.isZero(0);
-    if (rests)
-      positions.row(v) = rest.row(v);  // vertices that are one unknown within a tolerance keep places of their own
+    // Vertices that are one unknown within a tolerance keep places of their own, and -0 stays -0.
+    if (rests || (!isPin && u.row(unknown).isZero(0)))
+      positions.row(v) = rest.row(v);
     else if (isPin)
       positions.row(v) = pinned(system.rows[pinOf[unknown]].target, rest.row(v), isShared[unknown] != 0);
-    else if (u.row(unknown).isZero(0))
-      positions.row(v) = rest.row(v);  // -0 stays -0
     else
       positions.row(v) = rest.row(v) + u.row(unknown);
   });

@@ -102,6 +102,7 @@ Field fieldOf(const Model& model, const DeformResult& deformation, FieldKind kin
 std::vector<Field> fieldsOf(const Model& model, const DeformResult& deformation)
 {
   std::vector<Field> fields;
+  fields.reserve(kFields.size());
   for (const auto field : kFields) fields.push_back(field(model, deformation));
   return fields;
 }

@@ -150,11 +150,11 @@ Coloring signedColoring(std::string title, std::vector<double> values)
   return {std::move(values), std::move(scale)};
 }
 
-template <int axis>
+template <int Axis>
 Coloring componentColoring(const Model& model, const DeformResult& deformation, const std::string& units)
 {
-  const Eigen::VectorXd along = deformation.positions.col(axis) - model.mesh.positions.col(axis);
-  return signedColoring(inUnits(std::string("displacement ") + "xyz"[axis], units),
+  const Eigen::VectorXd along = deformation.positions.col(Axis) - model.mesh.positions.col(Axis);
+  return signedColoring(inUnits(std::string("displacement ") + "xyz"[Axis], units),
                         withoutRounding({along.begin(), along.end()}, roundingOf(model)));
 }
 

@@ -307,6 +307,7 @@ void vtkHoldfastSurfaceCurveRepresentation::BuildRepresentation()
   if (this->ClosedLoop != 0 && !path.empty()) path.push_back(path.front());
   const auto show = [this](vtkPolyData& line, const std::vector<Index>& vertices) {
     std::vector<Vector3> places;
+    places.reserve(vertices.size());
     for (const Index vertex : vertices) places.push_back(this->PlaceOf(vertex));
     setLines(line, {places});
   };

@@ -47,7 +47,7 @@ FaceTint::FaceTint(const MeshActor& mesh, const Color& color, double opacity) : 
   setColor(*rim_, color.green > kLight ? kDarkRim : kLightRim);
   rim_->GetProperty()->SetOpacity(kTintRimOpacity);
   faces_->GetProperty()->SetOpacity(opacity);
-  faces_->SetPush(kPush);
+  faces_->setPush(kPush);
   // They hide nothing that the surface below them does not hide, and need no order.
   faces_->ForceOpaqueOn();
   setPixelRatio(1);

@@ -26,7 +26,7 @@ void PushedActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   // many are as much as single precision rounds, or of one of 24 bits, where they are still too few to be seen.
   constexpr float kPixels = 1.5F;
   constexpr float kSteps = 1024;
-  const auto push = static_cast<float>(Push);
+  const auto push = static_cast<float>(push_);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(push * kPixels, push * kSteps);
   vtkOpenGLActor::Render(renderer, mapper);

@@ -34,14 +34,14 @@ class PushedActor : public vtkOpenGLActor {
   vtkTypeMacro(PushedActor, vtkOpenGLActor)
 
   /// Sets the share of that distance, 1 by default. A tint that lies on the surface, below its lines, takes less.
-  void SetPush(double share) { Push = share; }
+  void setPush(double share) { push_ = share; }
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
 
  protected:
   PushedActor() = default;
 
  private:
-  double Push = 1;
+  double push_ = 1;
 };
 
 /// An actor of which only the part behind the picture so far is drawn.

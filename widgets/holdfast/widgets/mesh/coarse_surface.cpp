@@ -103,9 +103,10 @@ std::vector<Between> between(const std::vector<Triangle>& all, const std::vector
     triangles.push_back({coarse[0], coarse[1], coarse[2], static_cast<Index>(t)});
   }
   std::ranges::sort(triangles);
-  const auto repeated = std::ranges::unique(
-      triangles, [](const Between& a, const Between& b) { return std::equal(a.begin(), a.begin() + 3, b.begin()); });
-  triangles.erase(repeated.begin(), repeated.end());
+  const auto isRepeated = [](const Between& a, const Between& b) {
+    return std::equal(a.begin(), a.begin() + 3, b.begin());
+  };
+  triangles.erase(std::unique(triangles.begin(), triangles.end(), isRepeated), triangles.end());
   return triangles;
 }
 

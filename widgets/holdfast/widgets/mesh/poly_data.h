@@ -40,8 +40,8 @@ template <typename Predicate>
   // Fresh memory takes longer than what is written into it, and OpenGL has no longer numbers.
   vtkNew<vtkTypeInt32Array> starts;
   vtkNew<vtkTypeInt32Array> corners;
-  starts->SetNumberOfValues(count + 1);
-  corners->SetNumberOfValues(3 * count);
+  starts->SetNumberOfValues(vtkIdType{count} + 1);
+  corners->SetNumberOfValues(vtkIdType{3} * count);
   for (vtkTypeInt32 k = 0; k <= count; ++k) starts->SetValue(k, 3 * k);
   vtkTypeInt32* next = corners->GetPointer(0);
   for (Index k = 0; k < triangles.size(); ++k)

@@ -22,7 +22,7 @@ Vector3 normalOfTriangle(const Model& model, Index triangle)
 /// Corners are numbered 3 triangle + place.
 Index cornerOf(const HalfEdge& half, const std::vector<Triangle>& triangles, Index vertex)
 {
-  const int side = half.side;
+  const auto side = static_cast<unsigned char>(half.side);
   return 3 * half.triangle + (triangles[half.triangle][side] == vertex ? side : (side + 1) % 3);
 }
 

@@ -7,6 +7,8 @@
 
 #include <holdfast/deform/deformer.h>
 
+// Members are named as VTK names its own: NOLINTBEGIN(readability-identifier-naming)
+
 /// Deforms the polygons of its input under constraints. The output is the input with moved points, as doubles. The
 /// fields of `fieldsOf` are arrays of its points. As long as only targets change, nothing is factorised again.
 ///
@@ -60,3 +62,5 @@ class vtkHoldfastDeform : public vtkPolyDataAlgorithm {
   vtkPolyData* CurrentInput = nullptr;  // compared, never read
   vtkMTimeType CurrentTime = 0;
 };
+
+// NOLINTEND(readability-identifier-naming)

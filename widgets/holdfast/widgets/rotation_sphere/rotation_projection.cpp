@@ -71,11 +71,13 @@ std::uint64_t cellOf(const Vector3& place, double side)
 std::vector<Index> firstOfCells(const std::vector<Vector3>& places, const std::vector<Index>& among, double side)
 {
   std::vector<std::pair<std::uint64_t, Index>> cells;
+  cells.reserve(among.size());
   for (const Index place : among) cells.emplace_back(cellOf(places[place], side), place);
   std::sort(cells.begin(), cells.end());
   const auto isSame = [](const auto& a, const auto& b) { return a.first == b.first; };
   cells.erase(std::unique(cells.begin(), cells.end(), isSame), cells.end());
   std::vector<Index> first;
+  first.reserve(cells.size());
   for (const auto& [cell, place] : cells) first.push_back(place);
   std::sort(first.begin(), first.end());
   return first;

@@ -10,8 +10,9 @@ Mesh sheet()
 {
   Mesh mesh;
   mesh.positions.resize(kSide * kSide, 3);
-  for (Index v = 0; v < kSide * kSide; ++v)
-    mesh.positions.row(v) << static_cast<double>(v % kSide), static_cast<double>(v / kSide), 0;
+  for (Index y = 0; y < kSide; ++y)
+    for (Index x = 0; x < kSide; ++x)
+      mesh.positions.row(x + kSide * y) << static_cast<double>(x), static_cast<double>(y), 0;
   for (Index y = 0; y + 1 < kSide; ++y)
     for (Index x = 0; x + 1 < kSide; ++x) {
       const Index corner = x + kSide * y;

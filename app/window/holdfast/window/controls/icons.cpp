@@ -81,7 +81,7 @@ QIcon iconOf(Sign sign, const QPalette& palette)
 {
   return drawnIcon(kSide, [sign, palette](QPainter& painter, QIcon::Mode mode) {
     const auto& [lines, filled] = kDrawings[static_cast<std::size_t>(sign)];
-    const QColor color =
+    const QColor& color =
         palette.color(mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active, QPalette::WindowText);
     painter.setPen(QPen(color, 1.7, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(drawnPath(lines));

@@ -46,8 +46,8 @@ const Look& lookOf(std::optional<ConstraintStatus> status)
 
 QColor quietColor(const QPalette& palette)
 {
-  const QColor text = palette.color(QPalette::Active, QPalette::Text);
-  const QColor base = palette.color(QPalette::Active, QPalette::Base);
+  const QColor& text = palette.color(QPalette::Active, QPalette::Text);
+  const QColor& base = palette.color(QPalette::Active, QPalette::Base);
   const auto mixed = [](double a, double b) { return kQuiet * a + (1 - kQuiet) * b; };
   return QColor::fromRgbF(mixed(text.redF(), base.redF()), mixed(text.greenF(), base.greenF()),
                           mixed(text.blueF(), base.blueF()));
@@ -63,7 +63,7 @@ QIcon statusIcon(std::optional<ConstraintStatus> status, const QPalette& palette
   constexpr double kSide = 16;
   return drawnIcon(kSide, [&look = lookOf(status), palette](QPainter& painter, QIcon::Mode mode) {
     const bool isSelected = mode == QIcon::Selected;
-    const QColor paper = palette.color(QPalette::Active, isSelected ? QPalette::Highlight : QPalette::Base);
+    const QColor& paper = palette.color(QPalette::Active, isSelected ? QPalette::Highlight : QPalette::Base);
     const QColor ink = isSelected ? QColor(Qt::white) : statusColor(look.status, palette);
     if (*look.body == 0)
       return painter.strokePath(drawnPath(look.lines), QPen(ink, 1.7, look.style, Qt::RoundCap, Qt::RoundJoin));

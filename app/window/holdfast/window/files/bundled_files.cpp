@@ -28,7 +28,7 @@ QString bundledFile(const QString& path)
 {
   const QDir program(QCoreApplication::applicationDirPath());
   for (const char* root : kRoots)
-    if (const QString file = QDir::cleanPath(program.filePath(root + path)); QFileInfo::exists(file)) return file;
+    if (QString file = QDir::cleanPath(program.filePath(root + path)); QFileInfo::exists(file)) return file;
   return {};
 }
 

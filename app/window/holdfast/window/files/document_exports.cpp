@@ -290,7 +290,7 @@ QString DocumentExports::ask(const QString& title, const QString& ending, const 
     return filter.contains("*." + QFileInfo(suggestion).suffix() + ')', Qt::CaseInsensitive);
   });
   if (own != sorted.end()) std::rotate(sorted.begin(), own, own + 1);
-  const QString path = chooser_(window_, {FileQuestion::Purpose::Write, title, suggestion, sorted});
+  QString path = chooser_(window_, {FileQuestion::Purpose::Write, title, suggestion, sorted});
   rememberFolder("export", path);
   return path;
 }

@@ -150,7 +150,7 @@ QString ImportTable::text(int row, int column, bool isExact) const
 
 QString ImportTable::toolTip(int row, int column) const
 {
-  const QString exact = text(row, column, true);
+  QString exact = text(row, column, true);
   if (column == Distance && isFar(row))
     return tr("%1: farther from the surface than the tolerance. The point may be in another unit or coordinate "
               "system.")

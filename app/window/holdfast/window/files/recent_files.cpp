@@ -94,7 +94,7 @@ void fillRecentMenu(QMenu& menu, const std::function<void(const QString&)>& open
   menu.setToolTipsVisible(true);
   const QStringList all = recentFiles();
   for (int place = 0; place < all.size(); ++place) {
-    const QString path = all[place];
+    const QString& path = all[place];
     const bool isThere = QFileInfo::exists(path);
     // Entries "&1" to "&9" by their digit, the last by 0. Ampersands of names are no mnemonics.
     const QString name = QFileInfo(path).fileName().replace('&', "&&");

@@ -238,7 +238,7 @@ class TargetSection : public SectionOf<PointConstraint> {
         },
         tr("move %1 to %2 = %3"),
         [this](PointConstraint& point, int axis, double number) {
-          const Vector3 rest = requireRestPlace(this->editor(), point.at);
+          Vector3 rest = requireRestPlace(this->editor(), point.at);
           Vector3 place = placeOf(point, rest);
           place[axis] = number;
           point.setTarget(place, [&](const SurfaceLocation& /*at*/) { return rest; });

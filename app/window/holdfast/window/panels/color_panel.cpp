@@ -15,7 +15,7 @@ namespace holdfast {
 namespace {
 
 // In the order of the alternatives of `ColorRange`.
-enum RangeKind { kFixed = 1, kDecades };
+enum RangeKind { OfFixedEnds = 1, OfDecades };
 
 // The number of colours that stands for a map without bands.
 constexpr int kSmooth = 1;
@@ -267,7 +267,7 @@ void ColorPanel::forgetFixedRanges()
 void ColorPanel::chooseRangeKind(int kind)
 {
   rangeRows_->setCurrentIndex(kind);
-  if (kind == kFixed) {
+  if (kind == OfFixedEnds) {
     // The colours stay as they are until other ends are typed.
     const FixedRange begin = shownScale_ ? FixedRange{shownScale_->low, shownScale_->high} : FixedRange{};
     low_->replaceTyped(begin.low);
@@ -278,8 +278,8 @@ void ColorPanel::chooseRangeKind(int kind)
 
 std::optional<ColorRange> ColorPanel::typedRange() const
 {
-  if (rangeKind_->currentIndex() == kDecades) return LogarithmicRange{decades_->value()};
-  if (rangeKind_->currentIndex() != kFixed) return AutomaticRange{};
+  if (rangeKind_->currentIndex() == OfDecades) return LogarithmicRange{decades_->value()};
+  if (rangeKind_->currentIndex() != OfFixedEnds) return AutomaticRange{};
   if (!low_->typed() || !high_->typed()) return std::nullopt;
   return FixedRange{*low_->typed(), *high_->typed()};
 }

@@ -98,6 +98,7 @@ class ConflictPanel final : public RefreshedPanel {
     refresh();
   }
 
+ private:
   struct Conflict {
     const ConstraintOutcome* outcome = nullptr;
     const ConflictSet* conflictSet = nullptr;

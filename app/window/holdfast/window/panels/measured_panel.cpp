@@ -22,7 +22,7 @@
 namespace holdfast {
 namespace {
 
-enum MeasuredColumn { kWhat, kNow, kRest, kDifference, kColumns };
+enum MeasuredColumn { MeasuredWhat, MeasuredNow, MeasuredAtRest, MeasuredDifference, MeasuredColumnCount };
 
 /// The tree of what is under the cursor, of probes and of rulers, each with its numbers now and at rest.
 class MeasuredPanel final : public RefreshedPanel {
@@ -31,10 +31,10 @@ class MeasuredPanel final : public RefreshedPanel {
   {
     setObjectName("measuredPanel");
     tree_ = named(new CommandTree, "measuredTree", tr("Measurements"));
-    tree_->setColumnCount(kColumns);
+    tree_->setColumnCount(MeasuredColumnCount);
     tree_->setHeaderLabels({tr("Measured"), tr("Now"), tr("At rest"), tr("Difference")});
     tree_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    tree_->header()->setSectionResizeMode(kWhat, QHeaderView::Stretch);
+    tree_->header()->setSectionResizeMode(MeasuredWhat, QHeaderView::Stretch);
     tree_->addCommand(tr("&Copy"), "measuredCopy", tr("Copies the table, for a spreadsheet"), QKeySequence::Copy,
                       [this] { copy(); });
     tree_->addCommand(tr("&Remove"), "measuredRemove", tr("Removes the selected measurements"), QKeySequence::Delete,
@@ -124,8 +124,8 @@ class MeasuredPanel final : public RefreshedPanel {
   static QTreeWidgetItem& child(QTreeWidgetItem& item, int row, const QString& name)
   {
     if (row >= item.childCount()) item.addChild(new QTreeWidgetItem);
-    item.child(row)->setText(kWhat, name);
-    item.child(row)->setToolTip(kWhat, name);
+    item.child(row)->setText(MeasuredWhat, name);
+    item.child(row)->setToolTip(MeasuredWhat, name);
     return *item.child(row);
   }
 
@@ -136,9 +136,9 @@ class MeasuredPanel final : public RefreshedPanel {
 
   void fillLengths(QTreeWidgetItem& item, double now, double rest) const
   {
-    setLength(item, kNow, now);
-    setLength(item, kRest, rest);
-    setLength(item, kDifference, now - rest);
+    setLength(item, MeasuredNow, now);
+    setLength(item, MeasuredAtRest, rest);
+    setLength(item, MeasuredDifference, now - rest);
   }
 
   void fillCursor()
@@ -149,17 +149,18 @@ class MeasuredPanel final : public RefreshedPanel {
 
   void fillProbe(QTreeWidgetItem& item, const QString& name, const std::optional<SurfaceLocation>& at)
   {
-    item.setText(kWhat, at ? name + ": " + locationText(*at) : name);
-    item.setToolTip(kWhat, item.text(kWhat));
+    item.setText(MeasuredWhat, at ? name + ": " + locationText(*at) : name);
+    item.setToolTip(MeasuredWhat, item.text(MeasuredWhat));
     constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
     const Vector3 now = at ? placeOf(*at, editor_.positions()) : Vector3::Constant(kNothing);
     const Vector3 rest = at ? placeOf(*at, editor_.model()->mesh.positions) : now;
-    for (int column = kNow; column < kColumns; ++column) setNumber(item, column, kNothing, {});
+    for (int column = MeasuredNow; column < MeasuredColumnCount; ++column) setNumber(item, column, kNothing, {});
     int row = 0;
     for (int axis = 0; axis < 3; ++axis) fillLengths(child(item, row++, axisText(axis)), now[axis], rest[axis]);
     for (const ShownField& field : fields_) {
       const double value = at ? fieldValue(editor_, field.coloring, *at) : kNothing;
-      setNumber(child(item, row++, field.name), kNow, value, valueText(value, field.meaning, editor_.decimals()));
+      setNumber(child(item, row++, field.name), MeasuredNow, value,
+                valueText(value, field.meaning, editor_.decimals()));
     }
     if (!fields_.empty()) fillAxis(child(item, row++, tr("axis of rotation")), at);
     trim(item, row);
@@ -170,10 +171,10 @@ class MeasuredPanel final : public RefreshedPanel {
   {
     const std::optional<Vector3> axis =
         at ? rotationAxis(*editor_.model(), *fieldsOf_, pointOf(*at, editor_.model()->mesh)) : std::nullopt;
-    item.setText(kNow, axis ? roundedText(*axis) : QString());
-    item.setData(kNow, Qt::UserRole, axis ? exactText(*axis) : QString());
-    item.setToolTip(kNow, item.data(kNow, Qt::UserRole).toString());
-    item.setTextAlignment(kNow, Qt::AlignRight | Qt::AlignVCenter);
+    item.setText(MeasuredNow, axis ? roundedText(*axis) : QString());
+    item.setData(MeasuredNow, Qt::UserRole, axis ? exactText(*axis) : QString());
+    item.setToolTip(MeasuredNow, item.data(MeasuredNow, Qt::UserRole).toString());
+    item.setTextAlignment(MeasuredNow, Qt::AlignRight | Qt::AlignVCenter);
   }
 
   void fillRuler(QTreeWidgetItem& item, const QString& name, const std::array<SurfaceLocation, 2>& ends)
@@ -183,8 +184,8 @@ class MeasuredPanel final : public RefreshedPanel {
     };
     const Vector3 now = vectorIn(editor_.positions());
     const Vector3 rest = vectorIn(editor_.model()->mesh.positions);
-    item.setText(kWhat, name);
-    item.setToolTip(kWhat, tr("From %1 to %2").arg(locationText(ends[0]), locationText(ends[1])));
+    item.setText(MeasuredWhat, name);
+    item.setToolTip(MeasuredWhat, tr("From %1 to %2").arg(locationText(ends[0]), locationText(ends[1])));
     fillLengths(item, now.stableNorm(), rest.stableNorm());
     for (int axis = 0; axis < 3; ++axis)
       fillLengths(child(item, axis, tr("along %1").arg(axisText(axis))), now[axis], rest[axis]);
@@ -220,8 +221,9 @@ class MeasuredPanel final : public RefreshedPanel {
   {
     QStringList lines{tr("Measured\tNow\tAt rest\tDifference")};
     const auto add = [&](const QTreeWidgetItem& item) {
-      QStringList cells{item.text(kWhat)};
-      for (int column = kNow; column < kColumns; ++column) cells << item.data(column, Qt::UserRole).toString();
+      QStringList cells{item.text(MeasuredWhat)};
+      for (int column = MeasuredNow; column < MeasuredColumnCount; ++column)
+        cells << item.data(column, Qt::UserRole).toString();
       lines << cells.join('\t');
     };
     for (int row = 1; row < tree_->topLevelItemCount(); ++row) {

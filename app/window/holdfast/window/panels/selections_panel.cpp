@@ -16,7 +16,7 @@
 namespace holdfast {
 namespace {
 
-enum SelectionColumn { kSelectionName, kSelectionWhat, kSelectionColumns };
+enum SelectionColumn { NameOfSelection, WhatIsSelected, SelectionColumnCount };
 
 class SelectionsPanel final : public RefreshedPanel {
  public:
@@ -53,16 +53,16 @@ class SelectionsPanel final : public RefreshedPanel {
   void makeTree()
   {
     tree_ = named(new CommandTree, "selectionTree", tr("Saved selections"));
-    tree_->setColumnCount(kSelectionColumns);
+    tree_->setColumnCount(SelectionColumnCount);
     tree_->setHeaderLabels({tr("Name"), tr("Selects")});
     tree_->setRootIsDecorated(false);
     tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     tree_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    tree_->header()->setSectionResizeMode(kSelectionName, QHeaderView::Stretch);
+    tree_->header()->setSectionResizeMode(NameOfSelection, QHeaderView::Stretch);
     tree_->addCommand(tr("&Select"), "selectionRecall", tr("Selects these vertices again"), Qt::Key_Return,
                       [this] { selectCurrent(); });
     tree_->addCommand(tr("&Rename"), "selectionRename", tr("Gives the selection another name"), Qt::Key_F2,
-                      [this] { tree_->editItem(tree_->currentItem(), kSelectionName); });
+                      [this] { tree_->editItem(tree_->currentItem(), NameOfSelection); });
     tree_->addCommand(tr("&Delete"), "selectionDelete", tr("Deletes the saved selections, not what they select"),
                       QKeySequence::Delete, [this] { removeSelected(); });
     connect(tree_, &QTreeWidget::itemDoubleClicked, this, &SelectionsPanel::selectCurrent);
@@ -83,8 +83,8 @@ class SelectionsPanel final : public RefreshedPanel {
       if (row == tree_->topLevelItemCount()) addRow();
       const auto& [name, select] = selections[static_cast<std::size_t>(row)];
       QTreeWidgetItem& item = *tree_->topLevelItem(row);
-      item.setText(kSelectionName, QString::fromStdString(name));
-      item.setText(kSelectionWhat, selectionText(select));
+      item.setText(NameOfSelection, QString::fromStdString(name));
+      item.setText(WhatIsSelected, selectionText(select));
     }
     updateCommands();
   }
@@ -127,7 +127,7 @@ class SelectionsPanel final : public RefreshedPanel {
   {
     if (isFilling_) return;
     const int row = tree_->indexOfTopLevelItem(item);
-    attempt([&] { renameSavedSelection(editor_, row, item->text(kSelectionName)); });
+    attempt([&] { renameSavedSelection(editor_, row, item->text(NameOfSelection)); });
   }
 
   void removeSelected()

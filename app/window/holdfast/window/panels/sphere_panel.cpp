@@ -52,7 +52,7 @@ constexpr double kWholeTurn = 360;
 /// What latitude and longitude say of a rotation. `largest`: degrees.
 QString sphereWords(double largest)
 {
-  const QString words = SpherePanel::tr(
+  QString words = SpherePanel::tr(
       "A point for each vertex. Latitude is the angle of its rotation: 0° at the top, 180° at the equator, 360° at the "
       "bottom. Longitude is the axis.");
   if (largest <= kWholeTurn) return words;

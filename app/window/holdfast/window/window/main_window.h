@@ -81,7 +81,7 @@ class MainWindow : public QMainWindow {
   void escape();
 
   enum class Needs { Nothing, Document, Vertices, Constraints, Measurements };
-  /// An entry of a menu. An entry without a text is a separator.
+  /// An entry of a menu. An entry without a text is a kSeparator.
   struct Item {
     const char* name = "";
     QString text;
@@ -90,7 +90,7 @@ class MainWindow : public QMainWindow {
     Needs needs = Needs::Nothing;
     std::function<void()> run = {};
   };
-  static const Item separator;
+  static const Item kSeparator;
   QAction* addAction(QMenu& menu, const Item& item);
   QAction* addSwitch(QMenu& menu, const Item& item);
   void addActions(QMenu& menu, const std::vector<Item>& items)

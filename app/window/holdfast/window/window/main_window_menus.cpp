@@ -22,7 +22,7 @@
 
 namespace holdfast {
 
-const MainWindow::Item MainWindow::separator;
+const MainWindow::Item MainWindow::kSeparator;
 
 QAction* MainWindow::addAction(QMenu& menu, const Item& item)
 {
@@ -64,14 +64,14 @@ void MainWindow::makeFileMenu()
   QMenu* recent = menu.addMenu(tr("Open &recent"));
   connect(recent, &QMenu::aboutToShow, this,
           [this, recent] { fillRecentMenu(*recent, [this](const QString& path) { files_.open(path); }); });
-  addActions(menu, {separator,
+  addActions(menu, {kSeparator,
                     {"save", tr("&Save"), "Ctrl+S", tr("Save the mesh's constraints and the view as a session"),
                      Needs::Document, [this] { files_.saveInBackground(); }},
                     {"saveAs", tr("Save &as…"), "Ctrl+Shift+S", tr("Save as another session"), Needs::Document,
                      [this] { files_.saveAsInBackground(); }},
                     {"close", tr("&Close"), "Ctrl+W", tr("Close the document and show the start page"), Needs::Document,
                      [this] { files_.close(); }},
-                    separator,
+                    kSeparator,
                     {"import", tr("&Import constraints…"), "Ctrl+I",
                      tr("Add measured points (CSV) or constraints (JSON), after a look at where they lie"),
                      Needs::Document, [this] { files_.importDialog(); }}});
@@ -94,8 +94,8 @@ void MainWindow::makeFileMenu()
         Needs::Document, writing(&DocumentExports::savePicture)},
        {"copyPicture", tr("C&opy the picture"), "Ctrl+Shift+C", tr("Put the picture as you see it into the clipboard"),
         Needs::Document, writing(&DocumentExports::copyPicture)}});
-  addActions(menu,
-             {separator, {"quit", tr("&Quit"), "Ctrl+Q", tr("Close the window"), Needs::Nothing, [this] { close(); }}});
+  addActions(
+      menu, {kSeparator, {"quit", tr("&Quit"), "Ctrl+Q", tr("Close the window"), Needs::Nothing, [this] { close(); }}});
 }
 
 void MainWindow::makeHelpMenu()
@@ -131,7 +131,7 @@ void MainWindow::makeEditMenu()
   redo_ = addAction(menu, {"redo", tr("&Redo"), "Ctrl+Shift+Z", tr("Do the edit again that was undone last"),
                            Needs::Nothing, [this] { editor_.redo(); }});
   redo_->setShortcuts({redo_->shortcut(), QKeySequence("Ctrl+Y")});
-  addActions(menu, {separator,
+  addActions(menu, {kSeparator,
                     {"escape", tr("&Cancel"), "Esc",
                      tr("Take back what is under way: a drag, a curve, solving; or select nothing"), Needs::Nothing,
                      [this] { escape(); }},
@@ -140,7 +140,7 @@ void MainWindow::makeEditMenu()
                     {"weld", tr("&Weld vertices…"), "",
                      tr("Choose how near vertices have to be to one another to be one for the solver"), Needs::Document,
                      [this] { panels_->showWelding(); }},
-                    separator,
+                    kSeparator,
                     {"preferences", tr("&Preferences…"), "Ctrl+,", tr("Choose what holds for all documents"),
                      Needs::Nothing, [this] { showPreferences(); }},
                     {"resetSettings", tr("Reset all se&ttings"), "",
@@ -164,7 +164,7 @@ void MainWindow::makeSelectionMenu()
   menu.addAction(tools_->reachesThrough());
   needs_.emplace_back(tools_->reachesThrough(), Needs::Document);
   addActions(menu,
-             {separator,
+             {kSeparator,
               {"grow", tr("&Grow"), "+", tr("Select the next ring of vertices, too"), Needs::Vertices,
                select(&VertexRegions::grown)},
               {"shrink", tr("S&hrink"), "-", tr("Take the outermost vertices out of the selection"), Needs::Vertices,
@@ -178,7 +178,7 @@ void MainWindow::makeSelectionMenu()
                [this] { selectBesidePlane(); }},
               {"deselect", tr("&None"), "Ctrl+Shift+A", tr("Deselect all vertices"), Needs::Vertices,
                [this] { editor_.selectVertices({}); }},
-              separator,
+              kSeparator,
               {"saveSelection", tr("Sa&ve the selection"), "Ctrl+G", tr("Keep the selected vertices under a name"),
                Needs::Vertices, [this] { saveAndNameSelection(editor_, *this); }}});
   menu.addMenu(newSavedSelectionMenu(editor_, *this));
@@ -197,7 +197,7 @@ void MainWindow::makeConstraintMenu()
        {"makeRigid", tr("Make a &rigid feature of it"), "R",
         tr("The selected vertices keep their shape wherever the surface takes them"), Needs::Vertices,
         constrain(RegionKind::Rigid)},
-       separator,
+       kSeparator,
        {"toggleEnabled", tr("&Enable or disable"), "E", tr("Disable the selected constraints, or enable them again"),
         Needs::Constraints, [this] { toggleConstraints(editor_, Rows(editor_.selectedConstraints())); }},
        {"deleteConstraints", tr("&Delete"), "Del", tr("Delete the selected constraints"), Needs::Constraints, [this] {
@@ -278,7 +278,7 @@ void MainWindow::makeViewMenu()
                      Needs::Document, [this] { viewport_->showPreviousView(); }},
                     {"viewNext", tr("&Next view"), "Alt+Right", tr("Return to the view before “Previous view”"),
                      Needs::Document, [this] { viewport_->showNextView(); }},
-                    separator,
+                    kSeparator,
                     look("viewFront", tr("From the &front"), "Ctrl+1", y, z),
                     look("viewBack", tr("From &behind"), "Ctrl+2", -y, z),
                     look("viewRight", tr("From the &right"), "Ctrl+3", -x, z),
@@ -287,7 +287,7 @@ void MainWindow::makeViewMenu()
                     look("viewBottom", tr("From bel&ow"), "Ctrl+8", z, -y),
                     {"viewCorner", tr("From a corn&er"), "Ctrl+9", tr("From a corner, as when it was opened"),
                      Needs::Document, [this] { viewport_->lookFromCorner(); }},
-                    separator});
+                    kSeparator});
   QAction* parallel =
       addSwitch(menu, {"parallelProjection", tr("&Parallel projection"), "Ctrl+5", tr("Without perspective")});
   connect(parallel, &QAction::toggled, viewport_, &Viewport::setParallelProjection);
@@ -341,7 +341,7 @@ void MainWindow::makeViewMenu()
       status_->showDocumentMessage(tr("Nothing is hidden: select some whole faces, not all that are shown"), 12000);
     return isSomethingHidden;
   };
-  addActions(menu, {separator,
+  addActions(menu, {kSeparator,
                     {"isolate", tr("&Isolate the selection"), "Shift+I",
                      tr("Show only the faces of the selection, with their constraints"), Needs::Vertices,
                      [this, isDone] { isDone(viewport_->isolate(editor_.selectedVertices())); }},
