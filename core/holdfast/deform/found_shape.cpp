@@ -65,7 +65,7 @@ std::vector<Vector3> fittedParts(const ConstraintSystem& system, const SolverMes
 /// rotation gets the one that best takes points of constraints to their targets, so that a motion of all of them costs
 /// nothing.
 Columns3 startRotations(const ConstraintSystem& system, const SolverMesh& mesh, const FreeRotations& free,
-                        RotationStart from)
+                        RotationStart&& from)
 {
   auto& [q, before] = from;
   const std::vector<Vector3> ofPart = fittedParts(system, mesh);

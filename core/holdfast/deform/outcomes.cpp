@@ -105,7 +105,7 @@ std::size_t mostNames(std::size_t before)
 /// Sets the sets with which each constraint conflicts or which it repeats, the largest gap first. A set that holds all
 /// constraints of another one and more is left out. O(dependent rows times terms).
 void setConflictSets(std::vector<ConstraintOutcome>& outcomes, const ConstraintLabels& labels,
-                     const ConstraintSystem& system, std::map<Index, DependencyGroups> groups)
+                     const ConstraintSystem& system, std::map<Index, DependencyGroups>&& groups)
 {
   for (auto& [own, its] : groups) keepSmallest(its);
   const std::map<Index, Index> conflicts = conflictCounts(groups);

@@ -183,8 +183,10 @@ std::string reportToCsv(const Report& report)
 {
   std::string csv = fmt::format("{}\n", fmt::join(kColumns, ","));
   for (const ConstraintOutcome& outcome : report.constraints) {
+    const Json json = toJson(outcome);
     std::vector<std::string> cells;
-    for (const Json json = toJson(outcome); const char* const column : kColumns) cells.push_back(cellOf(json[column]));
+    cells.reserve(kColumns.size());
+    for (const char* const column : kColumns) cells.push_back(cellOf(json[column]));
     csv += fmt::format("{}\n", fmt::join(cells, ","));
   }
   return csv;

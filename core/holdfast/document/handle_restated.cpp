@@ -157,7 +157,7 @@ Eigen::Matrix3d principalAxes(const Positions& places)
 {
   const Positions arms = places.rowwise() - centroid(places).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(arms.transpose() * arms);
-  const Vector3 variances = solver.eigenvalues();
+  const Vector3& variances = solver.eigenvalues();
   const double flat = variances[1] - variances[0];
   const double slender = variances[2] - variances[1];
   if (!(std::max(flat, slender) > kAlike * variances[2])) return Eigen::Matrix3d::Identity();

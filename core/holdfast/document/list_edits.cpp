@@ -56,7 +56,7 @@ class NameMaker {
  public:
   explicit NameMaker(Names taken) : taken_(std::move(taken)) {}
 
-  std::string unique(std::string name) { return taken_.insert(name).second ? name : counted(stemOf(name)); }
+  std::string unique(const std::string& name) { return taken_.insert(name).second ? name : counted(stemOf(name)); }
 
  private:
   /// "P" of "P12", "base " of "base".

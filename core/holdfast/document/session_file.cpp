@@ -60,10 +60,10 @@ double positive(const JsonReader& json)
   return json.number();
 }
 
-template <class Choice, std::size_t count>
-Choice chosen(const JsonReader& json, const std::array<Choice, count>& choices)
+template <class Choice, std::size_t Count>
+Choice chosen(const JsonReader& json, const std::array<Choice, Count>& choices)
 {
-  std::array<std::string_view, count> names;
+  std::array<std::string_view, Count> names;
   std::ranges::transform(choices, names.begin(), [](Choice choice) { return name(choice); });
   return choices[json.choice(names, "{} is not known here")];
 }

@@ -59,7 +59,7 @@ BlockElimination::BlockElimination(const std::vector<RowTerms>& rows, const std:
     if (rows[row].size() > 1)
       for (const Term& term : rows[row]) (isPinned[term.index] ? pinned : left)[row].push_back(term);
   std::vector<RowComponent> components = connectedRows(left, unknownCount);
-  std::ranges::stable_partition(components, std::not_fn(isDense));
+  std::stable_partition(components.begin(), components.end(), std::not_fn(isDense));
 
   Triplets ofR1;
   Triplets ofQ1;
@@ -105,7 +105,8 @@ std::pair<BlockElimination::Block, BlockElimination::Factors> BlockElimination::
     if (qr.append(BT.col(k))) block.rows.push_back(component.rows[k]);
   const Eigen::MatrixXd Q = qr.applyQ(Eigen::MatrixXd::Identity(BT.rows(), BT.rows()));
   block.Q2 = Q.rightCols(BT.rows() - qr.rank()).sparseView(1, 0);
-  return {std::move(block), {qr.R().sparseView(1, 0), Q.leftCols(qr.rank()).sparseView(1, 0)}};
+  Factors factors{qr.R().sparseView(1, 0), Q.leftCols(qr.rank()).sparseView(1, 0)};
+  return {std::move(block), std::move(factors)};
 }
 
 std::pair<BlockElimination::Block, BlockElimination::Factors> BlockElimination::sparseBlock(

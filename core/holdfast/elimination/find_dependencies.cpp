@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <ranges>
 
 #include <holdfast/elimination/large_component.h>
 #include <holdfast/elimination/merged_unknowns.h>
@@ -151,7 +150,7 @@ class Tableau {
     return changes;
   }
 
-  void commit(const Exchange& pair, Changes changes)
+  void commit(const Exchange& pair, Changes&& changes)
   {
     dependent_.erase(pair.entering);
     distances_[pair.leaving] = distances_[pair.entering];
@@ -161,15 +160,6 @@ class Tableau {
   std::map<Index, Combination> dependent_;
   std::map<Index, double> distances_;
 };
-
-/// Returns those of `rows`, ascending, that depend on none.
-template <class Rows>
-std::vector<Index> independentOf(const Rows& rows, const std::vector<Dependency>& dependencies)
-{
-  std::vector<Index> result;
-  std::ranges::set_difference(rows, dependencies | std::views::transform(&Dependency::row), std::back_inserter(result));
-  return result;
-}
 
 /// Difference rows that close no loop, in the user's order, and all other rows.
 struct Forest {
@@ -247,7 +237,15 @@ std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Inde
 
 std::vector<Index> independentRows(const std::vector<Dependency>& dependencies, std::size_t rowCount)
 {
-  return independentOf(std::views::iota(Index{0}, static_cast<Index>(rowCount)), dependencies);
+  std::vector<Index> result;
+  result.reserve(rowCount - dependencies.size());
+  auto next = dependencies.begin();
+  for (Index row = 0; row < static_cast<Index>(rowCount); ++row)
+    if (next != dependencies.end() && next->row == row)
+      ++next;
+    else
+      result.push_back(row);
+  return result;
 }
 
 }  // namespace holdfast

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include <holdfast/matrices/sparse_products.h>
 
@@ -129,8 +128,8 @@ SubstitutedRows substituted(const std::vector<RowTerms>& rows, Index unknownCoun
   Sums sums(unknownCount);
   std::vector<bool> isKept(rows.size(), true);
   // The last ones first: no row names own unknowns of rows in front of it.
-  for (const OwnUnknown& own : ownUnknowns(rows, unknownCount) | std::views::reverse)
-    isKept[own.row] = !sums.substitute(own, rows[own.row]);
+  const std::vector<OwnUnknown> found = ownUnknowns(rows, unknownCount);
+  for (auto own = found.rbegin(); own != found.rend(); ++own) isKept[own->row] = !sums.substitute(*own, rows[own->row]);
   SubstitutedRows result{sums.basis(), {}};
   for (std::size_t r = 0; r < rows.size(); ++r)
     if (isKept[r]) result.kept.push_back(static_cast<Index>(r));

@@ -3,24 +3,24 @@
 namespace holdfast {
 
 namespace any {
-extern const DenseKernels kernels;
+extern const DenseKernels kKernels;
 }
 
 #ifdef __x86_64__
 
 namespace avx2 {
-extern const DenseKernels kernels;
+extern const DenseKernels kKernels;
 }
 namespace avx512 {
-extern const DenseKernels kernels;
+extern const DenseKernels kKernels;
 }
 
 std::vector<const DenseKernels*> runnableDenseKernels()
 {
   std::vector<const DenseKernels*> kernels;
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) kernels.push_back(&avx512::kernels);
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) kernels.push_back(&avx2::kernels);
-  kernels.push_back(&any::kernels);
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) kernels.push_back(&avx512::kKernels);
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) kernels.push_back(&avx2::kKernels);
+  kernels.push_back(&any::kKernels);
   return kernels;
 }
 
@@ -28,7 +28,7 @@ std::vector<const DenseKernels*> runnableDenseKernels()
 
 std::vector<const DenseKernels*> runnableDenseKernels()
 {
-  return {&any::kernels};
+  return {&any::kKernels};
 }
 
 #endif

@@ -52,7 +52,7 @@ void update(int m, int n, int k, double factor, const double* A, const double* B
 
 }  // namespace
 
-extern const DenseKernels kernels;
-constexpr DenseKernels kernels{cholesky, solveRight, symmetricUpdate, update};
+extern const DenseKernels kKernels;
+constexpr DenseKernels kKernels{cholesky, solveRight, symmetricUpdate, update};
 
 }  // namespace holdfast::HOLDFAST_PROCESSOR

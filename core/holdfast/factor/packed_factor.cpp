@@ -14,7 +14,7 @@ namespace {
 // Columns with few entries are solved for so many at a time: L is read that much less often, and a chunk stays in the
 // cache for all of them.
 constexpr int kQuads = 4;
-constexpr Index kSolvedAtOnce = 4 * kQuads;
+constexpr Index kSolvedAtOnce = Index{4} * kQuads;
 
 }  // namespace
 
@@ -138,7 +138,7 @@ void PackedFactor::solveForward(std::span<const FewEntries> columns, std::vector
     placeOf[node] = static_cast<int>(size);
     size += static_cast<std::size_t>(symbolic_->supernodes[node].width);
   }
-  std::vector<double> x(4 * kQuads * size);
+  std::vector<double> x(std::size_t{4} * kQuads * size);
   const auto at = [&](std::size_t column, int place) -> double& {
     return x[4 * (column / 4 * size + static_cast<std::size_t>(place)) + column % 4];
   };

@@ -32,7 +32,7 @@ template <int W>
 HOLDFAST_INLINE void reduceRows(const double* L, const int* rows, int count, const Quad* y, double* x, int begin = 0)
 {
   int r = 0;
-  for (; r + 1 < count; r += 2, L += 2 * W) {
+  for (; r + 1 < count; r += 2, L += std::ptrdiff_t{2} * W) {
     double* const first = x + 4 * static_cast<std::ptrdiff_t>(rows[r] - begin);
     double* const second = x + 4 * static_cast<std::ptrdiff_t>(rows[r + 1] - begin);
     __builtin_prefetch(L + kAhead);
@@ -72,7 +72,7 @@ HOLDFAST_INLINE void gatherRows(const double* L, const int* rows, int count, Qua
   Quad y2[W] = {};
   int r = count;
   for (; r > 1; r -= 2) {
-    L -= 2 * W;
+    L -= std::ptrdiff_t{2} * W;
     Quad a;
     Quad b;
     load(a, x + 4 * static_cast<std::ptrdiff_t>(rows[r - 2]));
@@ -98,10 +98,10 @@ struct Forward {
     double* const own = view.x + 4 * static_cast<std::ptrdiff_t>(chunk.firstColumn);
     const double* L = view.numbers + chunk.offset;
     Quad y[W];
-    for (int i = 0; i < W; ++i) load(y[i], own + 4 * i);
+    for (std::ptrdiff_t i = 0; i < W; ++i) load(y[i], own + 4 * i);
     if (chunk.hasTriangle) {
-      for (int i = 0; i < W; ++i, L += W) {
-        for (int j = 0; j < i; ++j) y[i] -= L[j] * y[j];
+      for (std::ptrdiff_t i = 0; i < W; ++i, L += W) {
+        for (std::ptrdiff_t j = 0; j < i; ++j) y[i] -= L[j] * y[j];
         y[i] *= L[i];
         store(y[i], own + 4 * i);
       }
@@ -120,12 +120,13 @@ struct Backward {
     double* const own = view.x + 4 * static_cast<std::ptrdiff_t>(chunk.firstColumn);
     const double* const triangle = view.numbers + chunk.offset;
     Quad y[W];
-    for (int i = 0; i < W; ++i) load(y[i], own + 4 * i);
-    gatherRows<W>(triangle + (chunk.hasTriangle ? W * W : 0), view.rows + chunk.firstRow, chunk.rowCount, y, view.x);
-    for (int i = W - 1; i >= 0; --i) {
+    for (std::ptrdiff_t i = 0; i < W; ++i) load(y[i], own + 4 * i);
+    gatherRows<W>(triangle + (chunk.hasTriangle ? std::ptrdiff_t{W} * W : 0), view.rows + chunk.firstRow,
+                  chunk.rowCount, y, view.x);
+    for (std::ptrdiff_t i = W - 1; i >= 0; --i) {
       if (chunk.hasTriangle) {
         y[i] *= triangle[i * W + i];
-        for (int j = 0; j < i; ++j) y[j] -= triangle[i * W + j] * y[i];
+        for (std::ptrdiff_t j = 0; j < i; ++j) y[j] -= triangle[i * W + j] * y[i];
       }
       store(y[i], own + 4 * i);
     }
@@ -161,8 +162,8 @@ __attribute__((target("avx2,fma"))) void solveAvx2(std::span<const FactorChunk> 
 
 bool hasAvx2()
 {
-  static const bool has = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-  return has;
+  static const bool kHas = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+  return kHas;
 }
 #endif
 

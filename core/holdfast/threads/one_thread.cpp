@@ -20,14 +20,14 @@ Function* loaded(const char* name) noexcept
 
 void setActiveLevels(int levels) noexcept
 {
-  static auto* const set = loaded<void(int)>("omp_set_max_active_levels");
-  if (set != nullptr) set(levels);
+  static auto* const kSet = loaded<void(int)>("omp_set_max_active_levels");
+  if (kSet != nullptr) kSet(levels);
 }
 
 int activeLevels() noexcept
 {
-  static auto* const get = loaded<int()>("omp_get_max_active_levels");
-  return get == nullptr ? 0 : get();
+  static auto* const kGet = loaded<int()>("omp_get_max_active_levels");
+  return kGet == nullptr ? 0 : kGet();
 }
 
 void requireRoom(std::size_t bytes)

@@ -69,6 +69,7 @@ void takeOver(const Findings& findings, ResultVerdict& verdict)
 std::vector<TargetMotion> targetMotionsOf(const std::vector<WholeMotion>& motions)
 {
   std::vector<TargetMotion> result;
+  result.reserve(motions.size());
   for (const WholeMotion& whole : motions) result.push_back(whole.motion);
   return result;
 }

@@ -229,6 +229,7 @@ std::vector<int> invertedTriangles(const RestSurface& rest, const std::vector<in
 std::vector<Index> facesOf(const SolverMesh& mesh, const std::vector<int>& triangles)
 {
   std::vector<Index> faces;
+  faces.reserve(triangles.size());
   for (const int t : triangles) faces.push_back(mesh.faceOf[t]);
   return sortedOnce(std::move(faces));
 }

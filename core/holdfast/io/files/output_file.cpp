@@ -19,10 +19,10 @@
 namespace holdfast {
 namespace {
 
-enum class SlotState { kFree, kClaimed, kTracked };
+enum class SlotState { Free, Claimed, Tracked };
 
 struct Slot {
-  std::atomic<SlotState> state{SlotState::kFree};
+  std::atomic<SlotState> state{SlotState::Free};
   std::array<char, PATH_MAX> path{};
 };
 
@@ -35,10 +35,10 @@ int trackUnfinishedFile(const std::string& path) noexcept
 {
   if (path.size() >= PATH_MAX) return -1;
   for (int i = 0; i < kTrackedOutputs; ++i) {
-    SlotState expected = SlotState::kFree;
-    if (!slots[i].state.compare_exchange_strong(expected, SlotState::kClaimed)) continue;
+    SlotState expected = SlotState::Free;
+    if (!slots[i].state.compare_exchange_strong(expected, SlotState::Claimed)) continue;
     std::memcpy(slots[i].path.data(), path.c_str(), path.size() + 1);
-    slots[i].state = SlotState::kTracked;
+    slots[i].state = SlotState::Tracked;
     return i;
   }
   return -1;
@@ -181,7 +181,7 @@ struct OutputFile::Temporary {
   ~Temporary()
   {
     ::unlink(path.c_str());
-    if (slot >= 0) slots[slot].state = SlotState::kFree;
+    if (slot >= 0) slots[slot].state = SlotState::Free;
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
@@ -242,7 +242,7 @@ void OutputFile::commit()
 void removeUnfinishedOutputs() noexcept
 {
   for (const Slot& slot : slots)
-    if (slot.state == SlotState::kTracked) ::unlink(slot.path.data());
+    if (slot.state == SlotState::Tracked) ::unlink(slot.path.data());
 }
 
 }  // namespace holdfast

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/text/number_text.h>
@@ -67,8 +66,12 @@ Serialized writeObj(const Mesh& rest, const Positions& positions)
   const Polygons& faces = rest.faces;
   std::string text;
   for (Index v = 0; v < positions.rows(); ++v) text += "v " + joined(positions.row(v)) + '\n';
-  for (Index f = 0; f < faces.size(); ++f)
-    text += "f " + joined(faces[f] | std::views::transform([](Index corner) { return corner + 1; })) + '\n';
+  std::vector<Index> numbers;  // of corners, from 1
+  for (Index f = 0; f < faces.size(); ++f) {
+    numbers.clear();
+    for (const Index corner : faces[f]) numbers.push_back(corner + 1);
+    text += "f " + joined(numbers) + '\n';
+  }
   return {std::move(text), {}};
 }
 

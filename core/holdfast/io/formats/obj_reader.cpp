@@ -12,7 +12,7 @@ namespace holdfast {
 namespace {
 
 /// The three lists that a corner of a face refers to.
-enum class ObjList { kVertex, kTexture, kNormal };
+enum class ObjList { Vertex, Texture, Normal };
 
 constexpr std::array<std::string_view, 3> kListNames{"vertex", "texture coordinate", "normal"};
 constexpr std::array<std::string_view, 3> kListKeywords{"v", "vt", "vn"};
@@ -65,7 +65,7 @@ class ObjReader {
     if (hasColors_) layout_.extras.emplace_back("vertex colours");
     layout_.extras.insert(layout_.extras.end(), keptPurposes_.begin(), keptPurposes_.end());
     if (unknown_.count > 0) layout_.extras.emplace_back("statements that OBJ does not have");
-    Mesh mesh{Eigen::Map<const Positions>(coordinates_.data(), count(ObjList::kVertex), 3), std::move(faces_)};
+    Mesh mesh{Eigen::Map<const Positions>(coordinates_.data(), count(ObjList::Vertex), 3), std::move(faces_)};
     return makeDocument(std::move(bytes_), std::move(layout_), std::move(mesh));
   }
 
@@ -120,15 +120,15 @@ class ObjReader {
   void readCorner(std::string_view token)
   {
     const std::size_t first = token.find('/');
-    polygon_.push_back(resolve(ObjList::kVertex, token.substr(0, first)));
+    polygon_.push_back(resolve(ObjList::Vertex, token.substr(0, first)));
     Index normal = -1;
     if (first != std::string_view::npos) {
       const std::string_view behind = token.substr(first + 1);
       const std::size_t second = behind.find('/');
       const std::string_view texture = behind.substr(0, second);
-      if (!texture.empty()) static_cast<void>(resolveOrMiss(ObjList::kTexture, texture));
+      if (!texture.empty()) static_cast<void>(resolveOrMiss(ObjList::Texture, texture));
       if (second != std::string_view::npos && second + 1 < behind.size())
-        normal = resolveOrMiss(ObjList::kNormal, behind.substr(second + 1));
+        normal = resolveOrMiss(ObjList::Normal, behind.substr(second + 1));
     }
     layout_.normalOfCorner.push_back(static_cast<int>(normal));
   }
@@ -165,19 +165,19 @@ class ObjReader {
     for (const auto& [list, id, line, corner] : forward_) {
       if (id < count(list)) continue;
       const auto which = static_cast<std::size_t>(list);
-      if (list == ObjList::kVertex)
+      if (list == ObjList::Vertex)
         throw InputError(
             {file_, line, {}},
             fmt::format("{} {} does not exist: the file has {} '{}' lines; correct the face or add what it refers to",
                         kListNames[which], id + 1, count(list), kListKeywords[which]));
-      if (list == ObjList::kNormal) layout_.normalOfCorner[corner] = -1;
+      if (list == ObjList::Normal) layout_.normalOfCorner[corner] = -1;
       missing_[which].add(line, std::to_string(id + 1));
     }
   }
 
   void remark()
   {
-    for (const ObjList list : {ObjList::kTexture, ObjList::kNormal}) {
+    for (const ObjList list : {ObjList::Texture, ObjList::Normal}) {
       const auto which = static_cast<std::size_t>(list);
       const auto& [missed, line, example] = missing_[which];
       if (missed > 0)
@@ -203,8 +203,8 @@ class ObjReader {
 
   [[nodiscard]] Index count(ObjList list) const
   {
-    if (list == ObjList::kVertex) return static_cast<Index>(coordinates_.size() / 3);
-    return list == ObjList::kTexture ? textureCount_ : layout_.normalCount;
+    if (list == ObjList::Vertex) return static_cast<Index>(coordinates_.size() / 3);
+    return list == ObjList::Texture ? textureCount_ : layout_.normalCount;
   }
 
   void keepStatement(std::string_view keyword)

@@ -107,7 +107,8 @@ class FindingsPanel final : public RefreshedPanel {
       std::ranges::copy(report == nullptr ? editor_.model()->findings : report->mesh.findings,
                         std::back_inserter(findings));
     findings_ = std::move(findings);
-    std::ranges::stable_partition(findings_, [this](const Finding& finding) { return isWarning(finding); });
+    std::stable_partition(findings_.begin(), findings_.end(),
+                          [this](const Finding& finding) { return isWarning(finding); });
   }
 
   /// Tells whether it is about what the solution made of the part.

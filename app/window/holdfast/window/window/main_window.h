@@ -81,7 +81,7 @@ class MainWindow : public QMainWindow {
   void escape();
 
   enum class Needs { Nothing, Document, Vertices, Constraints, Measurements };
-  /// An entry of a menu. An entry without a text is a kSeparator.
+  /// An entry of a menu. An entry without a text is a separator.
   struct Item {
     const char* name = "";
     QString text;
