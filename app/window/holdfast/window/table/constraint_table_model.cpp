@@ -24,8 +24,8 @@ constexpr const char* kRowsFormat = "application/x-holdfast-constraint-rows";
 
 const std::vector<Constraint>& constraintsOf(const std::shared_ptr<const DocumentState>& state)
 {
-  static const std::vector<Constraint> kNone;
-  return state == nullptr ? kNone : state->list.constraints;
+  static const std::vector<Constraint> kNoConstraints;
+  return state == nullptr ? kNoConstraints : state->list.constraints;
 }
 
 // The gravest first, as a user looks for them.
