@@ -31,6 +31,18 @@ class LargeMeshInWindow : public test::OpenWindow {
 
   [[nodiscard]] QImage shown() { return viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32); }
 
+  /// Moves the cursor at every turn of the event loop, until the picture is full. False if that takes half a minute.
+  [[nodiscard]] bool isDrawnInFullWhileTheCursorMoves()
+  {
+    int k = 0;
+    const auto isFull = [&] {
+      ++k;
+      test::moveMouse(viewport(), {viewport().width() / 2.0 + k % 20, viewport().height() / 2.0});
+      return viewport().isInFullDetail();
+    };
+    return test::waitUntil(isFull, std::chrono::seconds(30));
+  }
+
   /// What is shown when all is at rest is what one call of the renderer draws, with smooth edges.
   void expectTheWholePicture()
   {
@@ -88,14 +100,7 @@ TEST_F(LargeMeshInWindow, IsDrawnInFullWhileTheCursorMoves)
   trigger("toolPoint");
   test::drag(viewport(), {{100, 100}, {120, 110}, {140, 120}}, Qt::RightButton);
   ASSERT_TRUE(test::waitUntil([this] { return !viewport().isInFullDetail(); }));
-  int k = 0;
-  EXPECT_TRUE(test::waitUntil(
-      [&] {
-        ++k;
-        test::moveMouse(viewport(), {viewport().width() / 2.0 + k % 20, viewport().height() / 2.0});
-        return viewport().isInFullDetail();
-      },
-      std::chrono::seconds(30)));
+  EXPECT_TRUE(isDrawnInFullWhileTheCursorMoves());
 }
 
 TEST_F(LargeMeshInWindow, IsDrawnInFullWhileEachPictureChangesTheWindowAgain)
@@ -109,14 +114,7 @@ TEST_F(LargeMeshInWindow, IsDrawnInFullWhileEachPictureChangesTheWindowAgain)
     ++pictures;
     viewport().update();
   });
-  int k = 0;
-  EXPECT_TRUE(test::waitUntil(
-      [&] {
-        ++k;
-        test::moveMouse(viewport(), {viewport().width() / 2.0 + k % 20, viewport().height() / 2.0});
-        return viewport().isInFullDetail();
-      },
-      std::chrono::seconds(30)));
+  EXPECT_TRUE(isDrawnInFullWhileTheCursorMoves());
   // One between two slices, and some before the first.
   EXPECT_LT(pictures, 10 * editor().mesh().contents->mesh().surfaceSlices().count());
 }

@@ -23,7 +23,7 @@ constexpr double kSufficientAccuracy = 1e-12;
 constexpr double kMostNumbersOfQ2 = 2e7;
 // One with so many takes gigabytes and minutes: only where rows are missed otherwise.
 constexpr double kMostNumbersOfNeededQ2 = 2e8;
-// The solver meets its rows once more where a solution misses one by more than this share of what it may miss.
+// The solver meets its rows again if a solution misses one by more than this share of the allowed residual.
 constexpr double kWellMet = 0.01;
 
 /// Returns for each of `columns` sets of columns in how many rows one of a set is the first.
@@ -92,7 +92,7 @@ class HardSolver final : public ConstrainedSolver {
     return {std::make_unique<HardSolver>(ConstrainedProblem{problem_.A, others, {}}, std::move(result.value))};
   }
 
-  /// The largest coordinate of what `u` leaves of the rows that hold.
+  /// Returns the largest coordinate of d - B u over the rows that hold.
   [[nodiscard]] double mostMissed(const Columns3& u, const RowTargets& targets) const
   {
     const Columns3 missed = missedBy(u, targets);

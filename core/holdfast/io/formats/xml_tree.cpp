@@ -28,7 +28,7 @@ constexpr auto kCurrentCount = XML_GetCurrentByteCount;
 constexpr auto kCurrentLine = XML_GetCurrentLineNumber;
 #endif
 
-/// Makes a tree of what expat reports.
+/// Makes a tree of the events that expat reports.
 class XmlTreeBuilder {
  public:
   XmlTreeBuilder(std::string_view bytes, const std::string& file, std::string_view last)

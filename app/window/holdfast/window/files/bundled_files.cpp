@@ -35,7 +35,7 @@ QString bundledFile(const QString& path)
 QString ownFolderBeside(const QString& file)
 {
   const QFileInfo folder(QFileInfo(file).path());
-  // Of a folder that is not there any more the user is told.
+  // The user is told of a folder that is not there any more.
   const bool isForAll = folder.exists() && (!folder.isWritable() || isBundled(folder.canonicalFilePath()));
   if (!isForAll) return folder.filePath();
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);

@@ -24,7 +24,7 @@ namespace {
 
 enum MeasuredColumn { MeasuredWhat, MeasuredNow, MeasuredAtRest, MeasuredDifference, MeasuredColumnCount };
 
-/// The tree of what is under the cursor, of probes and of rulers, each with its numbers now and at rest.
+/// Lists what is under the cursor, probes and rulers, each with its numbers now and at rest.
 class MeasuredPanel final : public RefreshedPanel {
  public:
   explicit MeasuredPanel(Editor& editor) : editor_(editor)
