@@ -18,9 +18,10 @@ class InspectorPanel final : public RefreshedPanel {
     QWidget* content = new QWidget;
     auto* layout = newLayout<QVBoxLayout>(content, 10, 6);
     makeHead(*layout);
-    for (const Sections& sections : {newPointSections(editor), newVerticesSections(editor), newHandleSections(editor),
-                                     newRelativeSections(editor), newOutcomeSections(editor)})
+    for (const auto newSections : kNewSections) {
+      const Sections sections = newSections(editor);
       sections_.insert(sections_.end(), sections.begin(), sections.end());
+    }
     for (InspectorSection* section : sections_) {
       layout->addWidget(section);
       connect(section, &InspectorSection::refused, this, [this](const QString& why) { showRefusal(*reason_, why); });

@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -234,5 +235,9 @@ using Sections = std::vector<InspectorSection*>;
 /// Makes sections that show whether constraints hold and how hard they pull. Of several constraints they show the
 /// largest values.
 [[nodiscard]] Sections newOutcomeSections(Editor& editor);
+
+/// Makes the sections of the panel, from its top.
+inline constexpr std::array kNewSections{newPointSections, newVerticesSections, newHandleSections, newRelativeSections,
+                                         newOutcomeSections};
 
 }  // namespace holdfast

@@ -25,13 +25,6 @@ Rows rowsFrom(Index first, Index count)
   return rows;
 }
 
-void add(Editor& editor, Constraint constraint)
-{
-  const QString name = QObject::tr("add %1").arg(nameText(constraint.name));
-  editor.edit(name, added(editor.list(), std::move(constraint)));
-  editor.selectConstraints({sizeOf(editor.list()) - 1});
-}
-
 void append(Editor& editor, const QString& name, const ConstraintList& more)
 {
   const Index before = sizeOf(editor.list());
@@ -59,31 +52,17 @@ void changeConstraints(Editor& editor, const QString& name, const Rows& rows, co
   if (isChanged) editor.edit(name, std::move(list));
 }
 
+void addConstraint(Editor& editor, const char* stem, decltype(Constraint::what) what)
+{
+  Constraint constraint{unusedName(editor.list(), stem), true, std::move(what)};
+  const QString name = QObject::tr("add %1").arg(nameText(constraint.name));
+  editor.edit(name, added(editor.list(), std::move(constraint)));
+  editor.selectConstraints({sizeOf(editor.list()) - 1});
+}
+
 void holdPoint(Editor& editor, const SurfacePick& pick)
 {
-  add(editor, {unusedName(editor.list(), "P"), true, PointConstraint{pick.location, Target{pick.place}}});
-}
-
-void keepVector(Editor& editor, const SurfaceLocation& from, const SurfaceLocation& to)
-{
-  add(editor, {unusedName(editor.list(), "vector "), true, RelativeConstraint{from, to, {}}});
-}
-
-void constrainSelection(Editor& editor, RegionKind kind)
-{
-  const Selection select = editor.selection();
-  editor.selectVertices({});
-  const auto addNamed = [&](const char* stem, auto what) {
-    add(editor, {unusedName(editor.list(), stem), true, std::move(what)});
-  };
-  switch (kind) {
-    case RegionKind::Fixed:
-      return addNamed("fixed ", FixedConstraint{select});
-    case RegionKind::Handle:
-      return addNamed("handle ", HandleConstraint{select, {}, Vector3::Zero(), {}});
-    case RegionKind::Rigid:
-      return addNamed("rigid ", RigidConstraint{select});
-  }
+  addConstraint(editor, "P", PointConstraint{pick.location, Target{pick.place}});
 }
 
 void switchConstraints(Editor& editor, const Rows& rows, Enabling enabling)

@@ -27,13 +27,10 @@ using Change = std::function<std::optional<Constraint>(const Constraint&)>;
 /// and the exception is passed on.
 void changeConstraints(Editor& editor, const QString& name, const Rows& rows, const Change& change);
 
-/// Holds a point of the surface where it is now. This function and the next two select what they make.
+/// Adds a constraint at the end of the list under a name of its own, which begins with `stem`, and selects it.
+void addConstraint(Editor& editor, const char* stem, decltype(Constraint::what) what);
+/// Holds a point of the surface where it is now, and selects the constraint.
 void holdPoint(Editor& editor, const SurfacePick& pick);
-/// Keeps the vector from the place `to` to the place `from` as it is at rest, rotated as the surface rotates.
-void keepVector(Editor& editor, const SurfaceLocation& from, const SurfaceLocation& to);
-enum class RegionKind { Fixed, Handle, Rigid };
-/// Makes one constraint of the selected vertices, and deselects them. At least one is selected.
-void constrainSelection(Editor& editor, RegionKind kind);
 
 void switchConstraints(Editor& editor, const Rows& rows, Enabling enabling);
 /// Disables the constraints if all are enabled, else enables all.

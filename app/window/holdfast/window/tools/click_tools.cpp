@@ -183,7 +183,7 @@ class RelativeTool : public ToolOf<vtkHoldfastSurfaceRulerWidget> {
     if (isOnePlace)
       refusal_ = tr("Both clicks took the same place, which has no vector: click two places that are apart");
     else
-      keepVector(editor(), second, first);
+      addConstraint(editor(), "vector ", RelativeConstraint{second, first, {}});
     Q_EMIT changed();
   }
 

@@ -186,17 +186,23 @@ void MainWindow::makeSelectionMenu()
 
 void MainWindow::makeConstraintMenu()
 {
-  const auto constrain = [this](RegionKind kind) { return [this, kind] { constrainSelection(editor_, kind); }; };
+  const auto constrain = [this](const char* stem, auto what) {
+    return [=, this]() mutable {
+      what.select = editor_.selection();
+      editor_.selectVertices({});
+      addConstraint(editor_, stem, what);
+    };
+  };
   QMenu& menu = *menuBar()->addMenu(tr("&Constrain"));
   addActions(
       menu,
       {{"makeFixed", tr("&Fix the selection"), "F", tr("The selected vertices stay where they are"), Needs::Vertices,
-        constrain(RegionKind::Fixed)},
+        constrain("fixed ", FixedConstraint{})},
        {"makeHandle", tr("Make a &handle of it"), "H", tr("The selected vertices move as you drag them"),
-        Needs::Vertices, constrain(RegionKind::Handle)},
+        Needs::Vertices, constrain("handle ", HandleConstraint{})},
        {"makeRigid", tr("Make a &rigid feature of it"), "R",
         tr("The selected vertices keep their shape wherever the surface takes them"), Needs::Vertices,
-        constrain(RegionKind::Rigid)},
+        constrain("rigid ", RigidConstraint{})},
        kSeparator,
        {"toggleEnabled", tr("&Enable or disable"), "E", tr("Disable the selected constraints, or enable them again"),
         Needs::Constraints, [this] { toggleConstraints(editor_, Rows(editor_.selectedConstraints())); }},
