@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"AnotherFormat", "c.json", R"({"format": "holdfast-report", "version": 1})", {"format"}},
         BadFile{"ALaterVersion",
                 "c.json",
-                R"({"format": "holdfast-constraints", "version": 2, "constraints": []})",
+                R"({"format": "holdfast-constraints", "version": 3, "constraints": []})",
                 {"version"}},
         BadFile{"PointListWithoutAColumn", "c.csv", "name,x,y,z\nP,0,0,0\n", {"c.csv:1", "target_x"}},
         BadFile{"PointListWithWords",

@@ -145,7 +145,7 @@ void checkConstraint(Complaints& complaints, const Json& constraint, SolveState 
                : std::set<std::string>{"independent", "redundant", "conflicting", "disabled"};
   complaints.check(constraint, "constraints[]",
                    {{"name", isText},
-                    {"type", isOneOf({"fixed", "handle", "point", "rigid", "relative"})},
+                    {"type", isOneOf({"fixed", "handle", "point", "rigid", "relative", "slide", "coincident"})},
                     {"rows", isCount},
                     {"status", isOneOf(statuses)},
                     {"residual", isSolved ? Predicate(isLengthOrNull) : Predicate(isNull)},

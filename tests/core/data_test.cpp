@@ -246,10 +246,11 @@ TEST(ConstraintData, HasAMeshUniqueNamesAndKnownTypes)
     std::ifstream file(path);
     const auto json = nlohmann::json::parse(file);
     EXPECT_EQ(json.at("format"), "holdfast-constraints");
-    EXPECT_EQ(json.at("version"), 1);
+    EXPECT_THAT(json.at("version"), testing::AnyOf(1, 2));
     std::set<std::string> names;
     for (const auto& constraint : json.at("constraints")) {
-      EXPECT_THAT(constraint.at("type"), testing::AnyOf("fixed", "handle", "point", "rigid", "relative"));
+      EXPECT_THAT(constraint.at("type"),
+                  testing::AnyOf("fixed", "handle", "point", "rigid", "relative", "slide", "coincident"));
       EXPECT_TRUE(names.insert(constraint.at("name")).second) << constraint.at("name");
     }
   }

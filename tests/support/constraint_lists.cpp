@@ -146,19 +146,59 @@ HandleConstraint randomHandle(Random& random)
   return handle;
 }
 
+/// One or two coordinates.
+Coordinates randomCoordinates(Random& random)
+{
+  Coordinates result;
+  for (std::optional<double>& value : result.values) value = randomNumber(random);
+  result.values[static_cast<std::size_t>(random.integer(0, 2))] = std::nullopt;
+  if (random.integer(0, 1) == 0) result.values[static_cast<std::size_t>(random.integer(0, 2))] = std::nullopt;
+  if (!result.values[0] && !result.values[1] && !result.values[2]) result.values[0] = randomNumber(random);
+  return result;
+}
+
+decltype(PointConstraint::to) randomGoal(Random& random)
+{
+  const std::optional<Vector3> point = random.integer(0, 1) == 0 ? std::nullopt : std::optional(randomVector(random));
+  switch (random.integer(0, 4)) {
+    case 0:
+      return Target{randomVector(random)};
+    case 1:
+      return Move{randomVector(random)};
+    case 2:
+      return randomCoordinates(random);
+    case 3:
+      return OnPlane{point, randomDirection(random), random.integer(0, 1) == 0 ? 0 : randomNumber(random)};
+    default:
+      return OnLine{point, randomDirection(random)};
+  }
+}
+
+/// A plane or a line, given or to be fitted.
+SlideConstraint randomSlide(Random& random)
+{
+  const std::optional<Vector3> point = random.integer(0, 1) == 0 ? std::nullopt : std::optional(randomVector(random));
+  const std::array<decltype(SlideConstraint::on), 4> guides{OnPlane{point, randomDirection(random), 0.25},
+                                                            OnLine{point, randomDirection(random)}, FittedPlane{},
+                                                            FittedLine{}};
+  return {randomSelection(random, 2), guides[random.integer(0, 3)], random.integer(0, 1) == 0};
+}
+
 decltype(Constraint::what) randomWhat(Random& random)
 {
-  switch (random.integer(0, 5)) {
+  switch (random.integer(0, 6)) {
     case 0:
       return FixedConstraint{randomSelection(random, 3)};
     case 1:
       return randomHandle(random);
     case 2:
-      return PointConstraint{randomLocation(random), Target{randomVector(random)}};
+      return PointConstraint{randomLocation(random), randomGoal(random)};
     case 3:
-      return PointConstraint{randomLocation(random), Move{randomVector(random)}};
-    case 4:
       return RigidConstraint{randomSelection(random, 3)};
+    case 4:
+      return randomSlide(random);
+    case 5:
+      return CoincidentConstraint{randomLocation(random), randomLocation(random)};
     default:
       break;
   }
@@ -248,9 +288,31 @@ struct Same {
   }
   bool operator()(const Target& a, const Target& b) const { return (*this)(a.place, b.place); }
   bool operator()(const Move& a, const Move& b) const { return (*this)(a.shift, b.shift); }
+  bool operator()(const Coordinates& a, const Coordinates& b) const
+  {
+    return std::ranges::equal(a.values, b.values, *this);
+  }
+  bool operator()(const OnPlane& a, const OnPlane& b) const
+  {
+    return (*this)(a.point, b.point) && (*this)(a.normal, b.normal) && (*this)(a.offset, b.offset);
+  }
+  bool operator()(const OnLine& a, const OnLine& b) const
+  {
+    return (*this)(a.point, b.point) && (*this)(a.direction, b.direction);
+  }
   bool operator()(const PointConstraint& a, const PointConstraint& b) const
   {
     return (*this)(a.at, b.at) && (*this)(a.to, b.to);
+  }
+  bool operator()(const FittedPlane& /*a*/, const FittedPlane& /*b*/) const { return true; }
+  bool operator()(const FittedLine& /*a*/, const FittedLine& /*b*/) const { return true; }
+  bool operator()(const SlideConstraint& a, const SlideConstraint& b) const
+  {
+    return (*this)(a.select, b.select) && (*this)(a.on, b.on) && a.together == b.together;
+  }
+  bool operator()(const CoincidentConstraint& a, const CoincidentConstraint& b) const
+  {
+    return (*this)(a.from, b.from) && (*this)(a.to, b.to);
   }
   bool operator()(const RelativeConstraint& a, const RelativeConstraint& b) const
   {

@@ -1,5 +1,6 @@
 #include "support/residual_verifier.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -31,6 +32,62 @@ double distance(const Place& a, const Place& b)
   return static_cast<double>(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
 }
 
+Place armBetween(const Place& a, const Place& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Real scalarProduct(const Place& a, const Place& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Place unitAlong(const Place& a)
+{
+  const Real length = std::sqrt(scalarProduct(a, a));
+  return {a[0] / length, a[1] / length, a[2] / length};
+}
+
+/// The part of `a` across a unit vector.
+Place partAcross(const Place& a, const Place& axis)
+{
+  const Real along = scalarProduct(a, axis);
+  return {a[0] - along * axis[0], a[1] - along * axis[1], a[2] - along * axis[2]};
+}
+
+/// How far a place is from a plane or a line of a file that leads through `through` unless it says otherwise.
+double distanceFrom(const Json& on, const Place& through, const Place& place)
+{
+  const Json& guide = on.begin().value();
+  const Place arm = armBetween(place, guide.contains("point") ? guide.at("point").get<Place>() : through);
+  if (on.contains("line")) return distance(partAcross(arm, unitAlong(guide.at("direction").get<Place>())), {});
+  const Real offset = guide.value("offset", 0.0);
+  return static_cast<double>(std::abs(scalarProduct(arm, unitAlong(guide.at("normal").get<Place>())) - offset));
+}
+
+/// The place that is farthest from `from`, across a unit vector or 0.
+Place farthest(const std::vector<Place>& places, const Place& from, const Place& axis)
+{
+  const auto square = [&](const Place& place) {
+    const Place arm = partAcross(armBetween(place, from), axis);
+    return scalarProduct(arm, arm);
+  };
+  return *std::max_element(places.begin(), places.end(),
+                           [&](const Place& a, const Place& b) { return square(a) < square(b); });
+}
+
+/// The plane or the line, as in a file, that three or two of the places lie on and the others ought to.
+Json guideThrough(const std::vector<Place>& places, bool isPlane)
+{
+  const Place first = places.front();
+  const Place axis = unitAlong(armBetween(farthest(places, first, {}), first));
+  if (!isPlane) return {{"line", {{"point", first}, {"direction", axis}}}};
+  const Place second = partAcross(armBetween(farthest(places, first, axis), first), axis);
+  const Place normal{axis[1] * second[2] - axis[2] * second[1], axis[2] * second[0] - axis[0] * second[2],
+                     axis[0] * second[1] - axis[1] * second[0]};
+  return {{"plane", {{"point", first}, {"normal", normal}}}};
+}
+
 /// One run of `verify`.
 class Verifier {
  public:
@@ -54,6 +111,10 @@ class Verifier {
       addRigid(selectPlain(constraint.at("select"), rest_));
     else if (type == "relative")
       addRelative(constraint);
+    else if (type == "coincident")
+      measure(differenceOf(constraint), {});
+    else if (type == "slide")
+      addSlide(constraint);
     else
       throw std::runtime_error("not to be verified: constraints of type " + type);
   }
@@ -80,10 +141,47 @@ class Verifier {
         if (v < w) measureLength({{v, 1}, {w, -1}});
   }
 
+  [[nodiscard]] Terms differenceOf(const Json& ends) const
+  {
+    Terms terms = termsOf(ends.at("from"));
+    for (const auto& [vertex, weight] : termsOf(ends.at("to"))) terms.emplace_back(vertex, -weight);
+    return terms;
+  }
+
+  void addSlide(const Json& slide)
+  {
+    const std::vector<long> vertices = selectPlain(slide.at("select"), rest_);
+    std::vector<Place> places;
+    for (const long v : vertices) places.push_back(placeOf(written_, {{v, 1}}));
+    const Json& on = slide.at("on");
+    if (on.begin().value().is_string()) {
+      const Json found = guideThrough(places, on.contains("plane"));
+      for (const Place& place : places) note(distanceFrom(found, {}, place));
+      return;
+    }
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (!slide.value("together", false)) {
+        note(distanceFrom(on, placeOf(rest_, {{vertices[k], 1}}), places[k]));
+        continue;
+      }
+      // Of a plane or a line that may shift: as far from where the first vertex went as they are at rest, or not at
+      // all.
+      Json shifted = on;
+      Json& guide = shifted.begin().value();
+      guide.erase("offset");
+      Place through = places.front();
+      if (!guide.contains("point")) {
+        const Place arm = armBetween(placeOf(rest_, {{vertices[k], 1}}), placeOf(rest_, {{vertices.front(), 1}}));
+        for (std::size_t i = 0; i < 3; ++i) through[i] += arm[i];
+      }
+      guide["point"] = through;
+      note(distanceFrom(shifted, {}, places[k]));
+    }
+  }
+
   void addRelative(const Json& relative)
   {
-    Terms terms = termsOf(relative.at("from"));
-    for (const auto& [vertex, weight] : termsOf(relative.at("to"))) terms.emplace_back(vertex, -weight);
+    const Terms terms = differenceOf(relative);
     if (relative.contains("offset"))
       measure(terms, relative.at("offset").get<Place>());
     else
@@ -93,12 +191,33 @@ class Verifier {
   void addPoint(const Json& point)
   {
     const Terms terms = termsOf(point.at("at"));
+    if (point.contains("on"))
+      return note(distanceFrom(point.at("on"), placeOf(rest_, terms), placeOf(written_, terms)));
+    if (hasFreeCoordinates(point)) return measureCoordinates(terms, point.at("target"));
     if (terms.size() == 1) return measurePin(terms[0].first, pinTarget(point, rest_.positions.at(terms[0].first)));
     if (point.contains("target")) return measure(terms, point.at("target").get<Place>());
     Place target = placeOf(rest_, terms);
     const Place move = point.at("move").get<Place>();
     for (std::size_t k = 0; k < 3; ++k) target[k] += move[k];
     measure(terms, target);
+  }
+
+  static bool hasFreeCoordinates(const Json& point)
+  {
+    return point.contains("target") &&
+           std::ranges::any_of(point.at("target"), [](const Json& c) { return c.is_null(); });
+  }
+
+  /// Those of a vertex are copied bit for bit.
+  void measureCoordinates(const Terms& terms, const Json& target)
+  {
+    const Place place = placeOf(written_, terms);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (target.at(k).is_null()) continue;
+      const auto asked = target.at(k).get<double>();
+      note(static_cast<double>(std::abs(place[k] - asked)));
+      if (terms.size() == 1 && written_.positions.at(terms[0].first)[k] != asked) result_.inexact.insert(name_);
+    }
   }
 
   static PlainPoint pinTarget(const Json& point, PlainPoint place)

@@ -34,6 +34,24 @@ TEST_F(ConstraintPanelOfSheet, TellsWhatEachConstraintIs)
   EXPECT_EQ(shown(1, Table::Status), "met");
 }
 
+TEST_F(ConstraintPanelOfSheet, FreeCoordinatesAreEmptyAndHeldOnesAreTyped)
+{
+  ConstraintList list = editor.list();
+  auto& coordinates = std::get<PointConstraint>(list.constraints[1].what).to.emplace<Coordinates>();
+  coordinates.values = {1.5, std::nullopt, 0.25};
+  std::get<PointConstraint>(list.constraints[2].what).to = OnPlane{Vector3(0, 0, 0.5), {0, 0, 3}, 0};
+  editor.edit("let them slide", list);
+  EXPECT_EQ(shown(1, Table::X), "1.5");
+  EXPECT_EQ(shown(1, Table::Y), "");
+  EXPECT_FALSE(rows().flags(rows().index(1, Table::Y)) & Qt::ItemIsEditable);
+  EXPECT_EQ(shown(2, Table::X), "");
+  EXPECT_EQ(shown(2, Table::Z), "0.5");
+  typeInto(1, Table::Z, "0.75");
+  EXPECT_EQ(std::get<Coordinates>(point("P1").to).values[2], 0.75);
+  typeInto(2, Table::Z, "0.625");
+  EXPECT_EQ(std::get<OnPlane>(point("P2").to).point->z(), 0.625);
+}
+
 TEST_F(ConstraintPanelOfSheet, RoundingIsShownAsZeroAndNothingIsMinusZero)
 {
   ConstraintList list = editor.list();

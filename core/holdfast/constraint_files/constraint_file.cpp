@@ -10,7 +10,7 @@ namespace holdfast {
 namespace {
 
 constexpr std::string_view kFormat = "holdfast-constraints";
-constexpr Index kVersion = 1;
+constexpr Index kVersion = 2;
 constexpr std::array<std::string_view, 4> kListKeys{"format", "version", "units", "constraints"};
 
 void requireFormat(const JsonReader& document)
@@ -21,10 +21,10 @@ void requireFormat(const JsonReader& document)
   const Index version = document["version"].integer();
   if (version > kVersion)
     document["version"].fail(
-        "version {} is newer than this program, which reads version {}; write the file as version {} or use a newer "
-        "program",
+        "version {} is newer than this program, which reads versions 1 to {}; write the file as version {} or use a "
+        "newer program",
         version, kVersion, kVersion);
-  if (version < kVersion) document["version"].fail("there is no version {}; the version is {}", version, kVersion);
+  if (version < 1) document["version"].fail("there is no version {}; versions are 1 to {}", version, kVersion);
 }
 
 std::vector<Constraint> readConstraintArray(const JsonReader& json)
@@ -42,6 +42,24 @@ std::vector<Constraint> readConstraintArray(const JsonReader& json)
     element["name"].fail("{} is the name of {} already; names are unique", inQuotes(name), first->second);
   }
   return constraints;
+}
+
+/// The first version whose programs read this constraint.
+Index versionOf(const Constraint& constraint)
+{
+  if (const auto* const point = std::get_if<PointConstraint>(&constraint.what))
+    return point->directions().areAll() ? 1 : 2;
+  const bool isNew = std::holds_alternative<SlideConstraint>(constraint.what) ||
+                     std::holds_alternative<CoincidentConstraint>(constraint.what);
+  return isNew ? 2 : 1;
+}
+
+/// Files are of the first version that has all of their constraints, so that older programs read them.
+Index versionOf(const std::vector<Constraint>& constraints)
+{
+  Index version = 1;
+  for (const Constraint& constraint : constraints) version = std::max(version, versionOf(constraint));
+  return version;
 }
 
 std::string constraintArrayJson(const std::vector<Constraint>& constraints)
@@ -90,9 +108,9 @@ std::string constraintMembersJson(const ConstraintList& list)
 {
   const std::string units = list.units.empty() ? "" : fmt::format("\n  \"units\": {},", jsonText(list.units));
   return fmt::format(
-      "\n  \"format\": \"holdfast-constraints\",\n  \"version\": 1,{}\n"
+      "\n  \"format\": \"holdfast-constraints\",\n  \"version\": {},{}\n"
       "  \"constraints\": {}\n",
-      units, constraintArrayJson(list.constraints));
+      versionOf(list.constraints), units, constraintArrayJson(list.constraints));
 }
 
 std::string constraintsToJson(const ConstraintList& list)

@@ -80,6 +80,7 @@ class JsonReader {
     return list(read);
   }
 
+  [[nodiscard]] bool isText() const noexcept { return value_->is_string(); }
   [[nodiscard]] bool boolean() const { return as<bool>("true or false"); }
   [[nodiscard]] double number() const;
   /// Returns an integer that fits into 64 bits. It must be written without point and exponent.
@@ -90,6 +91,8 @@ class JsonReader {
   /// Returns the place of this text in `names`. Where it has none, `unknown` says so in the error: "unknown side {}".
   [[nodiscard]] std::size_t choice(std::span<const std::string_view> names, fmt::string_view unknown) const;
   [[nodiscard]] Vector3 vector() const;
+  /// Returns [x, y, z], in which each may be null. Not all may.
+  [[nodiscard]] std::array<std::optional<double>, 3> coordinates() const;
   /// Returns [x, y, z], which must not be all zero.
   [[nodiscard]] Vector3 direction() const;
 

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 
 #include <holdfast/constraint_files/constraint_file_internal.h>
 #include <holdfast/constraints/handle_motion.h>
+#include <holdfast/numbers/same_bits.h>
 
 namespace holdfast {
 
@@ -104,9 +106,13 @@ constexpr std::array<std::string_view, 5> kRegionKeys{"type", "name", "enabled",
 constexpr std::array<std::string_view, 12> kHandleKeys{"type",    "name",      "enabled",   "extra",
                                                        "select",  "rotate",    "turn",      "frame",
                                                        "targets", "translate", "turn_near", "rotations"};
-constexpr std::array<std::string_view, 7> kPointKeys{"type", "name", "enabled", "extra", "at", "target", "move"};
+constexpr std::array<std::string_view, 8> kPointKeys{"type", "name", "enabled", "extra", "at", "target", "move", "on"};
+constexpr std::array<std::string_view, 7> kSlideKeys{"type", "name", "enabled", "extra", "select", "on", "together"};
+constexpr std::array<std::string_view, 6> kCoincidentKeys{"type", "name", "enabled", "extra", "from", "to"};
 constexpr std::array<std::string_view, 7> kRelativeKeys{"type", "name", "enabled", "extra", "from", "to", "offset"};
-constexpr std::array<std::string_view, 2> kDestinations{"target", "move"};
+constexpr std::array<std::string_view, 3> kDestinations{"target", "move", "on"};
+constexpr std::array<std::string_view, 2> kGuides{"plane", "line"};
+constexpr std::array<std::string_view, 1> kFits{"fit"};
 
 /// A constraint that is its selection alone.
 template <class Region>
@@ -115,14 +121,75 @@ What readRegion(const JsonReader& json)
   return Region{readSelection(json["select"])};
 }
 
+using Goal = decltype(PointConstraint::to);
+
+Goal readTarget(const JsonReader& json)
+{
+  const std::array<std::optional<double>, 3> values = json.coordinates();
+  if (values[0] && values[1] && values[2]) return Target{{*values[0], *values[1], *values[2]}};
+  return Coordinates{values};
+}
+
+OnPlane readPlane(const JsonReader& json)
+{
+  json.requireKeys({"point", "normal", "offset"});
+  OnPlane plane{std::nullopt, json["normal"].direction(), 0};
+  if (json.has("point")) plane.point = json["point"].vector();
+  if (json.has("offset")) plane.offset = json["offset"].number();
+  return plane;
+}
+
+OnLine readLine(const JsonReader& json)
+{
+  json.requireKeys({"point", "direction"});
+  OnLine line{std::nullopt, json["direction"].direction()};
+  if (json.has("point")) line.point = json["point"].vector();
+  return line;
+}
+
+Goal readGuide(const JsonReader& json)
+{
+  json.requireKeys(kGuides);
+  if (json.oneKeyOf(kGuides) == "plane") return readPlane(json["plane"]);
+  return readLine(json["line"]);
+}
+
+Goal readGoal(const JsonReader& json)
+{
+  const std::string_view key = json.oneKeyOf(kDestinations);
+  if (key == "target") return readTarget(json[key]);
+  if (key == "on") return readGuide(json[key]);
+  return Move{json[key].vector()};
+}
+
 What readPoint(const JsonReader& json)
 {
-  PointConstraint point{readLocation(json["at"]), {}};
-  if (json.oneKeyOf(kDestinations) == "target")
-    point.to = Target{json["target"].vector()};
-  else
-    point.to = Move{json["move"].vector()};
-  return point;
+  return PointConstraint{readLocation(json["at"]), readGoal(json)};
+}
+
+What readSlide(const JsonReader& json)
+{
+  SlideConstraint slide{readSelection(json["select"]), {}, json.has("together") && json["together"].boolean()};
+  const JsonReader on = json["on"];
+  on.requireKeys(kGuides);
+  const std::string_view guide = on.oneKeyOf(kGuides);
+  if (on[guide].isText()) {
+    static_cast<void>(on[guide].choice(kFits, "unknown way to find it {}"));
+    if (guide == "plane")
+      slide.on = FittedPlane{};
+    else
+      slide.on = FittedLine{};
+  } else if (guide == "plane") {
+    slide.on = readPlane(on[guide]);
+  } else {
+    slide.on = readLine(on[guide]);
+  }
+  return slide;
+}
+
+What readCoincident(const JsonReader& json)
+{
+  return CoincidentConstraint{readLocation(json["from"]), readLocation(json["to"])};
 }
 
 What readRelative(const JsonReader& json)
@@ -137,7 +204,9 @@ constexpr std::array<Type, std::variant_size_v<What>> kTypes{
      {HandleConstraint::kType, kHandleKeys, [](const JsonReader& json) { return What(readHandle(json)); }},
      {PointConstraint::kType, kPointKeys, readPoint},
      {RigidConstraint::kType, kRegionKeys, readRegion<RigidConstraint>},
-     {RelativeConstraint::kType, kRelativeKeys, readRelative}}};
+     {RelativeConstraint::kType, kRelativeKeys, readRelative},
+     {SlideConstraint::kType, kSlideKeys, readSlide},
+     {CoincidentConstraint::kType, kCoincidentKeys, readCoincident}}};
 
 Type readType(const JsonReader& json)
 {
@@ -165,6 +234,12 @@ std::vector<ExtraText> readExtra(const JsonReader& json)
   return extra;
 }
 
+/// A coordinate that may be null elsewhere: what is not finite becomes a text, which readers refuse with its path.
+JsonValue coordinateJson(double coordinate)
+{
+  return std::isfinite(coordinate) ? JsonValue(coordinate) : JsonValue("not finite");
+}
+
 struct OwnKeys {
   JsonValue& json;
 
@@ -189,8 +264,43 @@ struct OwnKeys {
     if (relative.offset) json["offset"] = *relative.offset;
   }
 
-  void operator()(const Target& target) const { json["target"] = target.place; }
+  void operator()(const SlideConstraint& slide) const
+  {
+    json["select"] = slide.select;
+    std::visit(*this, slide.on);
+    if (slide.together) json["together"] = true;
+  }
+  void operator()(const CoincidentConstraint& coincident) const
+  {
+    json["from"] = coincident.from;
+    json["to"] = coincident.to;
+  }
+  void operator()(const FittedPlane& /*plane*/) const { json["on"]["plane"] = "fit"; }
+  void operator()(const FittedLine& /*line*/) const { json["on"]["line"] = "fit"; }
+
+  void operator()(const Target& target) const
+  {
+    for (const double coordinate : target.place) json["target"].push_back(coordinateJson(coordinate));
+  }
   void operator()(const Move& move) const { json["move"] = move.shift; }
+  void operator()(const Coordinates& coordinates) const
+  {
+    for (const std::optional<double>& value : coordinates.values)
+      json["target"].push_back(value ? coordinateJson(*value) : JsonValue(nullptr));
+  }
+  void operator()(const OnPlane& on) const
+  {
+    JsonValue& plane = json["on"]["plane"];
+    if (on.point) plane["point"] = *on.point;
+    plane["normal"] = on.normal;
+    if (!hasSameBits(on.offset, 0)) plane["offset"] = on.offset;
+  }
+  void operator()(const OnLine& on) const
+  {
+    JsonValue& line = json["on"]["line"];
+    if (on.point) line["point"] = *on.point;
+    line["direction"] = on.direction;
+  }
 
   void operator()(std::monostate) const {}
   void operator()(const AxisRotation& turn) const

@@ -325,6 +325,17 @@ Vector3 JsonReader::vector() const
   return {element(0).number(), element(1).number(), element(2).number()};
 }
 
+std::array<std::optional<double>, 3> JsonReader::coordinates() const
+{
+  requireSize(3, "[x, y, z]");
+  std::array<std::optional<double>, 3> values;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (const JsonReader value = element(k); !value.value_->is_null()) values[k] = value.number();
+  if (!values[0] && !values[1] && !values[2])
+    fail("no coordinate is given; give one at least, and null for those in which the point is free");
+  return values;
+}
+
 Vector3 JsonReader::direction() const
 {
   Vector3 value = vector();

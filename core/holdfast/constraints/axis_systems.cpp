@@ -17,19 +17,28 @@ bool areParallel(const Vector3& a, const Vector3& b)
   return a.cross(b).norm() <= kRoundedAngle;
 }
 
-/// The different axes of the rows, no more than three; nothing where two are at odds.
-std::optional<std::vector<Vector3>> axesOf(const std::vector<ConstraintRow>& rows)
+/// The first rows that have each of the axes, no more than three, and the rows at odds that end the search.
+struct RowsOfAxes {
+  std::vector<Index> firsts;
+  std::optional<std::array<Index, 2>> atOdds;
+};
+
+RowsOfAxes rowsOfAxes(const std::vector<ConstraintRow>& rows)
 {
-  std::vector<Vector3> axes;
-  for (const ConstraintRow& row : rows) {
-    if (row.directions.areAll()) continue;
-    const Vector3& axis = row.directions.axis();
-    if (std::ranges::any_of(axes, [&](const Vector3& other) { return areParallel(axis, other); })) continue;
-    if (std::ranges::any_of(axes, [&](const Vector3& other) { return std::abs(axis.dot(other)) > kRoundedAngle; }))
-      return std::nullopt;
-    axes.push_back(axis);
+  RowsOfAxes result;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (rows[r].directions.areAll()) continue;
+    const Vector3& axis = rows[r].directions.axis();
+    const auto is = [&](Index first) { return areParallel(axis, rows[first].directions.axis()); };
+    const auto isAskew = [&](Index first) { return std::abs(axis.dot(rows[first].directions.axis())) > kRoundedAngle; };
+    if (std::ranges::any_of(result.firsts, is)) continue;
+    if (const auto askew = std::ranges::find_if(result.firsts, isAskew); askew != result.firsts.end()) {
+      result.atOdds = {static_cast<Index>(r), *askew};
+      return result;
+    }
+    result.firsts.push_back(static_cast<Index>(r));
   }
-  return axes;
+  return result;
 }
 
 bool isCoordinateAxis(const Vector3& axis)
@@ -57,14 +66,21 @@ Vector3 alongAxes(const Vector3& value, const std::bitset<3>& axes, const Eigen:
 
 }  // namespace
 
+std::optional<std::array<Index, 2>> rowsAtOdds(const std::vector<ConstraintRow>& rows)
+{
+  return rowsOfAxes(rows).atOdds;
+}
+
 std::optional<Eigen::Matrix3d> commonFrame(const std::vector<ConstraintRow>& rows)
 {
-  const std::optional<std::vector<Vector3>> axes = axesOf(rows);
-  if (!axes) return std::nullopt;
+  const auto [firsts, atOdds] = rowsOfAxes(rows);
+  if (atOdds) return std::nullopt;
+  std::vector<Vector3> axes;
+  for (const Index first : firsts) axes.push_back(rows[first].directions.axis());
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
-  if (std::ranges::all_of(*axes, isCoordinateAxis)) return frame;
-  frame.col(0) = axes->front();
-  frame.col(2) = frame.col(0).cross(axes->size() > 1 ? (*axes)[1] : frame.col(0).unitOrthogonal()).normalized();
+  if (std::ranges::all_of(axes, isCoordinateAxis)) return frame;
+  frame.col(0) = axes.front();
+  frame.col(2) = frame.col(0).cross(axes.size() > 1 ? axes[1] : frame.col(0).unitOrthogonal()).normalized();
   frame.col(1) = frame.col(2).cross(frame.col(0));
   return frame;
 }
@@ -88,7 +104,6 @@ std::vector<AxisSystem> axisSystems(const ConstraintSystem& system, const Eigen:
   for (AxisSystem& some : result)
     for (const Index r : some.rows) {
       ConstraintRow& row = some.system.rows.emplace_back(system.rows[r]);
-      row.target = alongAxes(row.target, some.axes, frame);
       row.shift = alongAxes(row.shift, some.axes, frame);
       row.directions = {};
     }

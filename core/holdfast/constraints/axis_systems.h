@@ -1,6 +1,7 @@
 #pragma once
 /// Rows with directions as scalar problems: one for each axis of an orthonormal frame.
 
+#include <array>
 #include <bitset>
 #include <optional>
 #include <span>
@@ -10,16 +11,20 @@
 
 namespace holdfast {
 
+/// Returns the first row whose direction is at odds with that of a row before it, and the first such row. Directions
+/// are at odds where they are neither parallel nor square to 1e-14. O(rows).
+[[nodiscard]] std::optional<std::array<Index, 2>> rowsAtOdds(const std::vector<ConstraintRow>& rows);
+
 /// Returns an orthonormal frame that fits all rows: its columns are axes, and each row with a direction holds along one
-/// of them or across one. These are the coordinate axes where they do. Returns none where directions are at odds with
-/// one another: neither parallel nor square to 1e-14. O(rows).
+/// of them or across one. These are the coordinate axes where they do. Returns none where directions are at odds.
+/// O(rows).
 [[nodiscard]] std::optional<Eigen::Matrix3d> commonFrame(const std::vector<ConstraintRow>& rows);
 
 /// The rows that hold along some axes of a frame, as a system of its own.
 struct AxisSystem {
   std::bitset<3> axes;      ///< columns of the frame
   std::vector<Index> rows;  ///< of each row: its place in the whole system
-  ConstraintSystem system;  ///< targets and shifts by coordinates of the frame, 0 in those of other axes; rows alone
+  ConstraintSystem system;  ///< rows alone: shifts by coordinates of the frame, 0 along other axes
 };
 
 /// Returns `system` as one, two or three systems that have no axis in common. The energy |A u - f|^2 is a sum over the

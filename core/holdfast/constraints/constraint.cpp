@@ -1,23 +1,101 @@
 #include "holdfast/constraints/constraint.h"
 
+#include <algorithm>
+
 #include <holdfast/numbers/same_bits.h>
 
 namespace holdfast {
 
+namespace {
+
+using Goal = decltype(PointConstraint::to);
+
+Goal moved(const Target& /*target*/, const Vector3& place, const Vector3& /*rest*/)
+{
+  return Target{place};
+}
+
+Goal moved(const Move& move, const Vector3& place, const Vector3& rest)
+{
+  Vector3 shift = move.shift;
+  for (Index k = 0; k < 3; ++k) {
+    if (!hasSameBits(rest[k] + shift[k], place[k])) shift[k] = place[k] - rest[k];
+    if (!hasSameBits(rest[k] + shift[k], place[k])) return Target{place};
+  }
+  return Move{shift};
+}
+
+Goal moved(Coordinates coordinates, const Vector3& place, const Vector3& /*rest*/)
+{
+  for (std::size_t k = 0; k < 3; ++k)
+    if (coordinates.values[k]) coordinates.values[k] = place[static_cast<Index>(k)];
+  return coordinates;
+}
+
+Goal moved(const OnPlane& plane, const Vector3& place, const Vector3& /*rest*/)
+{
+  return OnPlane{place, plane.normal, 0};
+}
+
+Goal moved(const OnLine& line, const Vector3& place, const Vector3& /*rest*/)
+{
+  return OnLine{place, line.direction};
+}
+
+/// Returns `place` with the coordinates of `exact` that `directions` hold by themselves.
+Vector3 withCoordinates(Vector3 place, const RowDirections& directions, const Vector3& exact)
+{
+  for (std::size_t k = 0; k < 3; ++k)
+    if (directions.coordinates()[k]) place[static_cast<Index>(k)] = exact[static_cast<Index>(k)];
+  return place;
+}
+
+}  // namespace
+
+Vector3 Coordinates::placeFrom(const Vector3& rest) const
+{
+  Vector3 place = rest;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (values[k]) place[static_cast<Index>(k)] = *values[k];
+  return place;
+}
+
+RowDirections Coordinates::directions() const
+{
+  const auto isGiven = [](const std::optional<double>& value) { return value.has_value(); };
+  const auto count = std::ranges::count_if(values, isGiven);
+  if (count == 1) return RowDirections::along(Vector3::Unit(std::ranges::find_if(values, isGiven) - values.begin()));
+  if (count == 2)
+    return RowDirections::across(Vector3::Unit(std::ranges::find_if_not(values, isGiven) - values.begin()));
+  return {};
+}
+
+Vector3 OnPlane::shiftFrom(const Vector3& rest) const
+{
+  const Vector3 n = normal.stableNormalized();
+  return (offset + (point ? n.dot(*point - rest) : 0)) * n;
+}
+
+Vector3 OnPlane::placeFrom(const Vector3& rest) const
+{
+  const RowDirections held = directions();
+  return withCoordinates(rest + shiftFrom(rest), held, point.value_or(rest) + offset * held.axis());
+}
+
+Vector3 OnLine::placeFrom(const Vector3& rest) const
+{
+  return withCoordinates(rest + shiftFrom(rest), directions(), point.value_or(rest));
+}
+
+Vector3 OnLine::shiftFrom(const Vector3& rest) const
+{
+  return point ? directions().held(*point - rest) : Vector3::Zero();
+}
+
 void PointConstraint::setTarget(const Vector3& place, const RestPlace& restPlace)
 {
   const Vector3 rest = restPlace(at);
-  Move* const move = std::get_if<Move>(&to);
-  bool isShift = move != nullptr;
-  Vector3 shift = isShift ? move->shift : Vector3::Zero();
-  for (Index k = 0; k < 3; ++k) {
-    if (!hasSameBits(rest[k] + shift[k], place[k])) shift[k] = place[k] - rest[k];
-    isShift = isShift && hasSameBits(rest[k] + shift[k], place[k]);
-  }
-  if (isShift)
-    to = Move{shift};
-  else
-    to = Target{place};
+  to = std::visit([&](const auto& its) { return moved(its, place, rest); }, to);
 }
 
 std::vector<SurfaceLocation> placesOf(const Constraint& constraint)

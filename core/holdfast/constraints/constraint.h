@@ -1,12 +1,14 @@
 #pragma once
 /// Constraints as a user states them. Each is one entry of a constraint file, in the file's own terms.
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include <holdfast/constraints/row_directions.h>
 #include <holdfast/constraints/selection.h>
 #include <holdfast/surface/surface_location.h>
 
@@ -81,6 +83,7 @@ struct Target {
 
   [[nodiscard]] Vector3 placeFrom(const Vector3& /*rest*/) const { return place; }
   [[nodiscard]] Vector3 shiftFrom(const Vector3& rest) const { return place - rest; }
+  [[nodiscard]] static RowDirections directions() { return {}; }
 };
 
 /// A point goes by a shift from where it is at rest, in model units.
@@ -89,25 +92,69 @@ struct Move {
 
   [[nodiscard]] Vector3 placeFrom(const Vector3& rest) const { return rest + shift; }
   [[nodiscard]] Vector3 shiftFrom(const Vector3& /*rest*/) const { return shift; }
+  [[nodiscard]] static RowDirections directions() { return {}; }
+};
+
+/// One or two coordinates of a point are prescribed, in model units. The point is free to move along the others.
+struct Coordinates {
+  std::array<std::optional<double>, 3> values;
+
+  /// The place that is nearest to `rest`.
+  [[nodiscard]] Vector3 placeFrom(const Vector3& rest) const;
+  [[nodiscard]] Vector3 shiftFrom(const Vector3& rest) const { return placeFrom(rest) - rest; }
+  [[nodiscard]] RowDirections directions() const;
+};
+
+/// A point stays on a plane, and is free to move in it.
+struct OnPlane {
+  std::optional<Vector3> point;       ///< of the plane; where absent, the place of the constrained point at rest
+  Vector3 normal = Vector3::UnitZ();  ///< not zero, of any length
+  double offset = 0;                  ///< by how far the plane lies from there along the normal, model units
+
+  /// The place that is nearest to `rest`. On planes and lines along coordinate axes it has the coordinates of `point`
+  /// to the last bit.
+  [[nodiscard]] Vector3 placeFrom(const Vector3& rest) const;
+  [[nodiscard]] Vector3 shiftFrom(const Vector3& rest) const;
+  [[nodiscard]] RowDirections directions() const { return RowDirections::along(normal); }
+};
+
+/// A point stays on a line, and is free to move along it.
+struct OnLine {
+  std::optional<Vector3> point;          ///< of the line; where absent, the place of the constrained point at rest
+  Vector3 direction = Vector3::UnitZ();  ///< not zero, of any length
+
+  /// The place that is nearest to `rest`. On planes and lines along coordinate axes it has the coordinates of `point`
+  /// to the last bit.
+  [[nodiscard]] Vector3 placeFrom(const Vector3& rest) const;
+  [[nodiscard]] Vector3 shiftFrom(const Vector3& rest) const;
+  [[nodiscard]] RowDirections directions() const { return RowDirections::across(direction); }
 };
 
 /// Returns where a place of the surface is at rest.
 using RestPlace = std::function<Vector3(const SurfaceLocation&)>;
 
-/// One point of the surface goes to one place.
+/// One point of the surface goes to one place, or stays on a plane or a line.
 struct PointConstraint {
   static constexpr const char* kType = "point";
   SurfaceLocation at;
-  std::variant<Target, Move> to;
+  std::variant<Target, Move, Coordinates, OnPlane, OnLine> to;
 
   [[nodiscard]] std::vector<SurfaceLocation> places() const { return {at}; }
-  [[nodiscard]] bool hasTarget() const { return true; }
+  /// Tells whether the point goes to one place.
+  [[nodiscard]] bool hasTarget() const { return directions().areAll(); }
+  /// Returns the directions in which the point is not free.
+  [[nodiscard]] RowDirections directions() const
+  {
+    return std::visit([](const auto& its) { return its.directions(); }, to);
+  }
   /// The point goes from where it is at rest to `place`, to the last bit. A shift stays a shift unless no shift does
-  /// so; then it becomes a target.
+  /// so; then it becomes a target. A point that is free in some directions moves its plane or line there, or takes the
+  /// coordinates that it prescribes.
   void setTarget(const Vector3& place, const RestPlace& restPlace);
 };
 
-/// Returns where the point goes if it is at `rest` before, bit for bit as the solver takes it.
+/// Returns where the point goes if it is at `rest` before, bit for bit as the solver takes it. That is the nearest
+/// place where it is free in some directions.
 [[nodiscard]] inline Vector3 placeOf(const PointConstraint& point, const Vector3& rest)
 {
   return std::visit([&](const auto& to) { return to.placeFrom(rest); }, point.to);
@@ -124,6 +171,33 @@ struct PointConstraint {
 struct RigidConstraint {
   static constexpr const char* kType = "rigid";
   Selection select;
+};
+
+/// The plane that lies nearest to the selected vertices at rest, by least squares.
+struct FittedPlane {};
+
+/// The line that lies nearest to the selected vertices at rest, by least squares.
+struct FittedLine {};
+
+/// Every selected vertex stays on a plane or a line, and is free to move in it. Where that names no point, each vertex
+/// has one of its own, through its place at rest.
+struct SlideConstraint {
+  static constexpr const char* kType = "slide";
+  Selection select;
+  std::variant<OnPlane, OnLine, FittedPlane, FittedLine> on;
+  /// The plane or the line itself may shift, but does not turn: what the vertices have of it is kept between them.
+  bool together = false;
+};
+
+/// Two points of the surface come together. They may be of two parts.
+struct CoincidentConstraint {
+  static constexpr const char* kType = "coincident";
+  SurfaceLocation from;
+  SurfaceLocation to;
+
+  [[nodiscard]] std::vector<SurfaceLocation> places() const { return {from, to}; }
+  [[nodiscard]] bool hasTarget() const { return false; }
+  void setTarget(const Vector3& /*target*/, const RestPlace& /*restPlace*/) {}
 };
 
 /// The vector p_from - p_to is prescribed, Fig. 8. It is `offset`, in model units; where that is absent it is the
@@ -151,7 +225,9 @@ struct ExtraText {
 struct Constraint {
   std::string name;  ///< no other constraint of the list has it
   bool isEnabled = true;
-  std::variant<FixedConstraint, HandleConstraint, PointConstraint, RigidConstraint, RelativeConstraint> what;
+  std::variant<FixedConstraint, HandleConstraint, PointConstraint, RigidConstraint, RelativeConstraint, SlideConstraint,
+               CoincidentConstraint>
+      what;
   std::vector<ExtraText> extra = {};  ///< kept for files that are written from it; no title repeats
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/constraints/axis_systems.h>
+#include <holdfast/constraints/fitted_guides.h>
 #include <holdfast/constraints/handle_motion.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/geometry/rotation_log.h>
@@ -48,6 +50,7 @@ class SystemBuilder {
     surroundings_ = surroundings();
     forEach([this](const auto& what) { add(what); });
     rotateRegionsAsTheirFirst();
+    refuseDirectionsAtOdds();
     return std::move(system_);
   }
 
@@ -80,6 +83,19 @@ class SystemBuilder {
     } catch (const InputError& error) {
       throw InputError(key(name + error.location().element), error.reason());
     }
+  }
+
+  void refuseDirectionsAtOdds() const
+  {
+    const std::optional<std::array<Index, 2>> rows = rowsAtOdds(system_.rows);
+    if (!rows) return;
+    const auto& [row, before] = *rows;
+    const auto nameOf = [&](Index r) { return inQuotes(list_.constraints[system_.rows[r].constraint].name); };
+    throw InputError(
+        {source_, 0, fmt::format("constraints[{}]", system_.rows[row].constraint)},
+        fmt::format("{}: its direction is neither parallel nor square to that of {}, and such directions are "
+                    "not solved together; make them parallel or square, or disable one",
+                    nameOf(row), nameOf(before)));
   }
 
   [[nodiscard]] bool isEnabled() const { return list_.constraints[current_].isEnabled; }
@@ -133,8 +149,15 @@ class SystemBuilder {
     noteRotation(handle, placement, shareMoved(handle, setting));
   }
 
+  void requireDirection(const RowDirections& directions) const
+  {
+    if (!directions.areAll() && !(directions.axis().squaredNorm() > 0.5))
+      throw InputError(key(""), "its direction is zero or not finite; give one of any other length");
+  }
+
   void add(const PointConstraint& point)
   {
+    requireDirection(point.directions());
     const KnownPlaces::KnownPoint& known = places_.point(current_, point.at, [&] {
       const SurfacePoint found = located(point.at, ".at");
       return KnownPlaces::KnownPoint{point.at, overUnknowns(found).terms, positionOf(found, rest_),
@@ -143,7 +166,7 @@ class SystemBuilder {
     if (!isEnabled()) return;
     addNearPlace(point.at, known.nearness);
     system_.rows.push_back({known.terms, placeOf(point, known.rest), shiftOf(point, known.rest), current_,
-                            RowKind::Position, known.corners});
+                            RowKind::Position, known.corners, point.directions()});
   }
 
   void add(const RigidConstraint& /*rigid*/)
@@ -173,6 +196,65 @@ class SystemBuilder {
     const Vector3 rest = restVector(from, to);
     system_.rows.push_back(
         {difference(from, to), *relative.offset, *relative.offset - rest, current_, RowKind::Relative});
+  }
+
+  void add(const SlideConstraint& slide)
+  {
+    if (!isEnabled()) return;
+    std::vector<Index> unknowns(selected_[current_].begin(), selected_[current_].end());
+    for (Index& v : unknowns) v = solverMesh_.weld.unknownOf[v];
+    unknowns = sortedOnce(std::move(unknowns));
+    const Guide guide = guideOf(slide, unknowns);
+    const RowDirections directions = std::visit([](const auto& on) { return on.directions(); }, guide);
+    requireDirection(directions);
+    const auto placeOnGuide = [&](Index u) {
+      return std::visit([&](const auto& on) { return on.placeFrom(solverMesh_.rest.row(u)); }, guide);
+    };
+    const auto shiftToGuide = [&](Index u) {
+      return std::visit([&](const auto& on) { return on.shiftFrom(solverMesh_.rest.row(u)); }, guide);
+    };
+    const auto addRow = [&](FewTerms terms, const Vector3& target, const Vector3& shift, RowKind kind) {
+      system_.rows.push_back({std::move(terms), target, shift, current_, kind, 0, directions});
+    };
+    const Index first = unknowns.front();
+    for (const Index u : unknowns)
+      if (!slide.together)
+        addRow({{u, 1.0}}, placeOnGuide(u), shiftToGuide(u), RowKind::Position);
+      else if (u != first)
+        addRow(difference(SurfacePoint{{{u, 1.0}}}, SurfacePoint{{{first, 1.0}}}),
+               placeOnGuide(u) - placeOnGuide(first), shiftToGuide(u) - shiftToGuide(first), RowKind::Region);
+    if (slide.together && unknowns.size() == 1)
+      note("plane_of_one_vertex", "a plane or a line of one vertex that may shift holds nothing; select more vertices");
+  }
+
+  void add(const CoincidentConstraint& coincident)
+  {
+    const SurfacePoint fromVertices = located(coincident.from, ".from");
+    const SurfacePoint toVertices = located(coincident.to, ".to");
+    if (!isEnabled()) return;
+    addNearPlace(coincident.from, nearness(coincident.from, fromVertices));
+    addNearPlace(coincident.to, nearness(coincident.to, toVertices));
+    const SurfacePoint from = overUnknowns(fromVertices);
+    const SurfacePoint to = overUnknowns(toVertices);
+    system_.rows.push_back({difference(from, to), Vector3::Zero(), -restVector(from, to), current_, RowKind::Relative});
+  }
+
+  using Guide = std::variant<OnPlane, OnLine>;
+
+  /// Throws `InputError` where the selection fits no plane or line of its own.
+  [[nodiscard]] Guide guideOf(const SlideConstraint& slide, const std::vector<Index>& unknowns) const
+  {
+    if (const auto* plane = std::get_if<OnPlane>(&slide.on)) return *plane;
+    if (const auto* line = std::get_if<OnLine>(&slide.on)) return *line;
+    const Positions places = solverMesh_.rest(unknowns, Eigen::all);
+    if (std::holds_alternative<FittedLine>(slide.on)) {
+      if (const std::optional<OnLine> line = fittedLine(places)) return *line;
+      throw InputError(key(".on.line"), "its vertices lie along no one line; give a direction in place of \"fit\"");
+    }
+    if (const std::optional<OnPlane> plane = fittedPlane(places)) return *plane;
+    throw InputError(key(".on.plane"),
+                     "its vertices lie near no one plane, but on a line, in one place or all around; give a normal in "
+                     "place of \"fit\"");
   }
 
   [[nodiscard]] Positions restOf(std::span<const Index> vertices) const { return rest_(vertices, Eigen::all); }

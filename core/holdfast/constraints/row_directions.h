@@ -1,6 +1,9 @@
 #pragma once
 /// The directions in which a row of B x = d holds.
 
+#include <bitset>
+#include <cmath>
+
 #include <holdfast/numbers/types.h>
 
 namespace holdfast {
@@ -31,6 +34,15 @@ class RowDirections {
 
   /// Tells whether the row holds along `axis()`, and not across it.
   [[nodiscard]] bool areAlongAxis() const noexcept { return sort_ == Sort::Along; }
+
+  /// Returns the coordinates that the row holds by themselves: all, or those along or across a coordinate axis.
+  [[nodiscard]] std::bitset<3> coordinates() const noexcept
+  {
+    if (areAll()) return 0b111;
+    std::bitset<3> along;
+    for (int k = 0; k < 3; ++k) along[static_cast<std::size_t>(k)] = std::abs(axis_[k]) == 1;
+    return along.none() || areAlongAxis() ? along : ~along;
+  }
 
   /// Returns the part of `v` that the row says something about.
   [[nodiscard]] Vector3 held(const Vector3& v) const

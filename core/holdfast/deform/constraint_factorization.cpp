@@ -40,18 +40,18 @@ ConstraintFactorization::ConstraintFactorization(std::shared_ptr<const Model> mo
                                                  const DeformOptions& options, double itsTolerance)
     : system(itsSystem),
       tolerance(itsTolerance),
-      eliminated(std::make_shared<const EliminatedConstraints>(eliminate(system, model->solverMesh, tolerance))),
-      sensitivities(std::make_shared<const std::vector<double>>(eliminated->elimination.sensitivities())),
+      eliminated(std::make_shared<const EliminatedByAxes>(system, model->solverMesh, tolerance)),
+      sensitivities(std::make_shared<const std::vector<double>>(eliminated->sensitivities())),
       mayHaveFewerRows(hasManyPoints(system.rows) && !(largestSensitivity() < 1 / kLargestNeededDistance)),
-      actedOn(std::async(std::launch::deferred,
-                         [A = of.A, eliminated = eliminated] { return ActedOn(*A, eliminated->rows); })),
+      actedOn(
+          std::async(std::launch::deferred, [A = of.A, eliminated = eliminated] { return ActedOn(*A, *eliminated); })),
       rotations(
           std::make_shared<RotationFactorization>(model->solverMesh, of.operators, options.solver.backend, ranks)),
       positions(
           [model = std::move(model), A = of.A, eliminated = eliminated, ranks = ranks, options = options]() mutable {
             const Columns3& rest = model->solverMesh.rest;
-            return makeSolver({A, eliminated, rest.rowwise() - rest.colwise().mean(), std::move(ranks)},
-                              inDiagonals(options, model->solverMesh));
+            return makeAxisSolvers({A, eliminated, rest.rowwise() - rest.colwise().mean(), std::move(ranks)},
+                                   inDiagonals(options, model->solverMesh));
           })
 {
 }
@@ -91,8 +91,11 @@ bool ConstraintFactorization::turnsAs(const ConstraintSystem& other) const
 
 bool ConstraintFactorization::standsOn(const ConstraintFactorization& other) const
 {
-  return std::ranges::equal(eliminated->dependencies, other.eliminated->dependencies, {}, &Dependency::row,
-                            &Dependency::row);
+  return std::ranges::equal(eliminated->parts(), other.eliminated->parts(),
+                            [](const AxisElimination& a, const AxisElimination& b) {
+                              return std::ranges::equal(a.eliminated->dependencies, b.eliminated->dependencies, {},
+                                                        &Dependency::row, &Dependency::row);
+                            });
 }
 
 bool ConstraintFactorization::isReady()

@@ -8,9 +8,9 @@
 #include <holdfast/deform/deform.h>
 #include <holdfast/deform/forces.h>
 #include <holdfast/deform/rotation_factorization.h>
-#include <holdfast/elimination/diagnosis.h>
+#include <holdfast/elimination/axis_elimination.h>
 #include <holdfast/rotation/rotation_energy.h>
-#include <holdfast/solve/constrained_solver.h>
+#include <holdfast/solve/axis_solvers.h>
 #include <holdfast/solve/moved_solutions.h>
 #include <holdfast/threads/long_step.h>
 
@@ -53,14 +53,14 @@ struct ConstraintFactorization {
 
   ConstraintSystem system;
   double tolerance;
-  std::shared_ptr<const EliminatedConstraints> eliminated;
+  std::shared_ptr<const EliminatedByAxes> eliminated;
   std::shared_ptr<const std::vector<double>> sensitivities;  ///< of rows, see `Elimination::sensitivities`
-  bool mayHaveFewerRows;  ///< rows that nearly depend on others may go where not all are met
-  KnownGaps knownGaps;
+  bool mayHaveFewerRows;                ///< rows that nearly depend on others may go where not all are met
+  std::vector<KnownGaps> knownGaps;     ///< of each part of `eliminated`
   std::shared_future<ActedOn> actedOn;  ///< made with the first forces
   std::shared_ptr<RotationFactorization> rotations;
-  LongStep<SolverResult> positions;
-  std::unique_ptr<MovedSolutions> moved;  ///< where solutions may be sums of earlier ones
+  LongStep<AxisSolversResult> positions;
+  std::vector<MovedSolutions> moved;  ///< of each part, where solutions may be sums of earlier ones; else none
   bool isBordered = false;
   bool isForOneCall = false;  ///< the factor of rotations is released before that of positions takes memory
 };

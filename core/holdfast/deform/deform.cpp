@@ -41,15 +41,15 @@ DeformResult deform(const Model& model, const ConstraintList& constraints, const
 namespace {
 
 /// The diagnosis of `system`, whose rows it rotates by `q`: given rotations, or those from which others are found.
-Diagnosis rotatedDiagnosis(const EliminatedConstraints& eliminated, ConstraintSystem& system, const SolverMesh& mesh,
+Diagnosis rotatedDiagnosis(const EliminatedByAxes& eliminated, ConstraintSystem& system, const SolverMesh& mesh,
                            RotationSource source, Columns3 q)
 {
-  DecidedRotations decided(eliminated, system, mesh);
+  DecidedRotations decided(eliminated.inAllDirections(), system, mesh);
   if (source != RotationSource::Given) decided.settle(system, q);
   system = decided.withTurnedVectors(rotated(std::move(system), q));
   Diagnosis diagnosis = diagnose(eliminated, system, mesh);
   if (source == RotationSource::Given)
-    diagnosis.metIfFound = closedWhereFound(eliminated, system, mesh, diagnosis, std::move(q));
+    diagnosis.metIfFound = closedWhereFound(eliminated.inAllDirections(), system, mesh, diagnosis, std::move(q));
   else
     diagnosis.reasons = decided.reasons();
   return diagnosis;
@@ -69,7 +69,7 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   PlaceFindings placeFindings;
   placeFindings.update(system.nearPlaces, model.locator(), options.nearLimit * model.solverMesh.diagonal);
   if (options.rotations.source != RotationSource::Given) system = withStatedRotations(std::move(system));
-  const EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
+  const EliminatedByAxes eliminated(system, model.solverMesh, kRankTolerance);
   std::shared_ptr<const Operators> operators;
   if (asksForRotation(system))
     operators = std::make_shared<const Operators>(makeOperators(model.solverMesh, options.weights));
@@ -87,7 +87,7 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   }
   details.system = std::move(system);
   details.labels = labelsOf(constraints, nullptr);
-  details.sensitivities = std::make_shared<const std::vector<double>>(eliminated.elimination.sensitivities());
+  details.sensitivities = std::make_shared<const std::vector<double>>(eliminated.sensitivities());
   report.constraints = outcomes(details, {});
   for (Finding& finding : constraintFindings(model, eliminated, details))
     report.mesh.findings.push_back(std::move(finding));

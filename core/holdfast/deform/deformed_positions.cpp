@@ -1,5 +1,7 @@
 #include "holdfast/deform/deformed_positions.h"
 
+#include <array>
+
 #include <holdfast/threads/parallel.h>
 
 namespace holdfast {
@@ -22,6 +24,34 @@ Eigen::RowVector3d pinned(const Vector3& target, const Eigen::RowVector3d& rest,
   for (Index k = 0; k < 3; ++k)
     if (isShared && place[k] == rest[k]) place[k] = rest[k];
   return place;
+}
+
+/// The rows that hold single coordinates of vertices by themselves, the later ones first.
+std::vector<const ConstraintRow*> coordinateRows(const ConstraintSystem& system, const Diagnosis& diagnosis)
+{
+  std::vector<const ConstraintRow*> result;
+  for (std::size_t r = system.rows.size(); r-- > 0;) {
+    const ConstraintRow& row = system.rows[r];
+    if (row.directions.areAll() || row.kind != RowKind::Position || row.terms.size() > 1) continue;
+    if (diagnosis.status[r] != RowStatus::Conflicting && row.directions.coordinates().any()) result.push_back(&row);
+  }
+  return result;
+}
+
+/// Takes single coordinates of vertices that are no pins as they are asked for.
+void copyCoordinates(Positions& positions, const std::vector<const ConstraintRow*>& rows, const std::vector<int>& pinOf,
+                     const std::vector<int>& unknownOf)
+{
+  if (rows.empty()) return;
+  std::vector<std::array<const ConstraintRow*, 3>> rowOf(pinOf.size());
+  for (const ConstraintRow* const row : rows)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (row->directions.coordinates()[k]) rowOf[row->terms.front().index][k] = row;
+  parallelBlocks(positions.rows(), [&](Index v) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const ConstraintRow* const row = rowOf[unknownOf[v]][k]; row != nullptr && pinOf[unknownOf[v]] < 0)
+        positions(v, static_cast<Index>(k)) = row->target[static_cast<Index>(k)];
+  });
 }
 
 }  // namespace
@@ -50,6 +80,7 @@ Positions deformedPositions(const Model& model, const ConstraintSystem& system, 
     else
       positions.row(v) = rest.row(v) + u.row(unknown);
   });
+  copyCoordinates(positions, coordinateRows(system, diagnosis), pinOf, unknownOf);
   return positions;
 }
 

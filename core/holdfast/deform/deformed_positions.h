@@ -7,7 +7,8 @@
 namespace holdfast {
 
 /// The file's positions: pins as `system` asks for them, bit for bit, everything else displaced by `u` (n x 3) from
-/// rest. Pins that `diagnosis` leaves out are displaced as well. What does not move keeps its bits, -0 included. O(n).
+/// rest. Coordinates that a row holds by themselves are copied as well. Pins that
+/// `diagnosis` leaves out are displaced. What does not move keeps its bits, -0 included. O(n).
 [[nodiscard]] Positions deformedPositions(const Model& model, const ConstraintSystem& system,
                                           const Diagnosis& diagnosis, const Columns3& u);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <holdfast/matrices/largest_size.h>
 #include <holdfast/threads/parallel.h>
@@ -62,14 +63,17 @@ DeterminedPart boundOf(const ConstraintSystem& system, const std::vector<double>
 }  // namespace
 
 DeterminedPart determinedPart(const ConstraintSystem& system, const std::vector<double>& sensitivities,
-                              const ConstrainedSolver& solver, const std::vector<Index>& reconciled, const Columns3& u)
+                              const AxisSolvers& solvers, const std::vector<RowTargets>& targets, const Columns3& u)
 {
   const double size = largestSize(u);
   if (!(size > 0)) return {};
   DeterminedPart part = boundOf(system, sensitivities, u, size);
   if (part.accuracy <= kBoundIsEnough) return part;
   Columns3 step = Columns3::Zero(u.rows(), 3);
-  solver.meet({leftOfRows(system, u), reconciled}, step);
+  std::vector<RowTargets> left;
+  for (Columns3& ofPart : solvers.eliminated().takenApart(leftOfRows(system, u)))
+    left.push_back({std::move(ofPart), targets[left.size()].reconciled});
+  solvers.meet(left, step);
   part.accuracy = std::clamp(kStepFactor * largestSize(step) / size, kBoundIsEnough, part.accuracy);
   return part;
 }

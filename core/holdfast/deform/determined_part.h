@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <holdfast/constraints/constraint_system.h>
-#include <holdfast/solve/constrained_solver.h>
+#include <holdfast/solve/axis_solvers.h>
 
 namespace holdfast {
 
@@ -18,11 +18,12 @@ struct DeterminedPart {
 /// of the displacements of its unknowns, by its sensitivity (`Elimination::sensitivities`, 0 for rows that are left
 /// out). Rows that nearly depend on one another have large ones.
 ///
-/// Where this bound exceeds 1e-12 the error is measured. `solver` takes off what is left of the rows at `u`, and the
-/// size of that step counts. `reconciled` is that of the diagnosis. Targets are taken as they are stated. O(terms), and
+/// Where this bound exceeds 1e-12 the error is measured. `solvers` take off what is left of the rows at `u`, and the
+/// size of that step counts. `targets` are those of the diagnosis; what they reconcile is met too. Targets of rows are
+/// taken as they are stated. O(terms), and
 /// beyond the bound the cost of `ConstrainedSolver::meet`.
 [[nodiscard]] DeterminedPart determinedPart(const ConstraintSystem& system, const std::vector<double>& sensitivities,
-                                            const ConstrainedSolver& solver, const std::vector<Index>& reconciled,
+                                            const AxisSolvers& solvers, const std::vector<RowTargets>& targets,
                                             const Columns3& u);
 
 }  // namespace holdfast

@@ -128,10 +128,11 @@ std::shared_ptr<ConstraintFactorization> FactorStore::made(const ConstraintSyste
 ConstraintFactorization& FactorStore::atHand()
 {
   atHand_->isForOneCall = mode_ == DeformerMode::OneCall;
-  if (mode_ == DeformerMode::Interactive && atHand_->moved == nullptr)
-    atHand_->moved = atHand_->isBordered && whole_->moved != nullptr
-                         ? std::make_unique<MovedSolutions>(model_->solverMesh, *whole_->moved)
-                         : std::make_unique<MovedSolutions>(model_->solverMesh);
+  std::vector<MovedSolutions>& moved = atHand_->moved;
+  if (mode_ == DeformerMode::Interactive && moved.empty() && atHand_->isBordered)
+    for (const MovedSolutions& base : whole_->moved) moved.emplace_back(model_->solverMesh, base);
+  if (mode_ == DeformerMode::Interactive && moved.empty())
+    moved.assign(atHand_->eliminated->parts().size(), MovedSolutions(model_->solverMesh));
   return *atHand_;
 }
 

@@ -6,14 +6,15 @@
 
 namespace holdfast {
 
-ActedOn::ActedOn(const EnergyMatrix& A, const std::vector<RowTerms>& constraints)
+ActedOn::ActedOn(const EnergyMatrix& A, const EliminatedByAxes& constraints)
     : unknowns(static_cast<std::size_t>(A.cols())), rows(static_cast<std::size_t>(A.rows()))
 {
-  for (const RowTerms& row : constraints)
-    for (const Term& term : row) {
-      if (std::exchange(unknowns[term.index], 1) != 0) continue;
-      A.forEachInColumn(term.index, [&](Index k, double /*value*/) { rows[k] = 1; });
-    }
+  for (const AxisElimination& part : constraints.parts())
+    for (const RowTerms& row : part.eliminated->rows)
+      for (const Term& term : row) {
+        if (std::exchange(unknowns[term.index], 1) != 0) continue;
+        A.forEachInColumn(term.index, [&](Index k, double /*value*/) { rows[k] = 1; });
+      }
 }
 
 Columns3 forcesAtUnknowns(const EnergyMatrix& A, const ActedOn& actedOn, const Columns3& u, const Columns3& f,

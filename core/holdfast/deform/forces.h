@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <holdfast/elimination/row_components.h>
+#include <holdfast/elimination/axis_elimination.h>
 #include <holdfast/numbers/term.h>
 #include <holdfast/operators/energy_matrix.h>
 
@@ -11,7 +11,7 @@ namespace holdfast {
 
 /// The places where constraints act.
 struct ActedOn {
-  ActedOn(const EnergyMatrix& A, const std::vector<RowTerms>& constraints);
+  ActedOn(const EnergyMatrix& A, const EliminatedByAxes& constraints);
 
   std::vector<char> unknowns;  ///< 1 where a constraint names the unknown
   std::vector<char> rows;      ///< 1 where a row of A names one of these unknowns

@@ -43,7 +43,8 @@ std::vector<Vector3> fittedParts(const ConstraintSystem& system, const SolverMes
   std::vector<std::vector<Index>> rowsOf(isGiven.size());
   for (std::size_t r = 0; r < system.rows.size(); ++r) {
     const ConstraintRow& row = system.rows[r];
-    const Index part = row.kind == RowKind::Position ? mesh.componentOf[row.terms.front().index] : -1;
+    const bool isPlace = row.kind == RowKind::Position && row.directions.areAll();
+    const Index part = isPlace ? mesh.componentOf[row.terms.front().index] : -1;
     if (part >= 0 && isGiven[part] == 0) rowsOf[part].push_back(static_cast<Index>(r));
   }
   std::vector<Vector3> result(isGiven.size(), Vector3::Zero());
@@ -84,7 +85,7 @@ std::vector<RegionHold> placedPoints(const ConstraintSystem& system, const Turni
 {
   std::vector<RegionHold> holds(bodies.bodies.size());
   for (const ConstraintRow& row : system.rows) {
-    if (row.kind != RowKind::Position) continue;
+    if (row.kind != RowKind::Position || !row.directions.areAll()) continue;
     const Index body = bodies.bodyOfUnknown[row.terms.front().index];
     const auto isOutside = [&](const Term& term) { return bodies.bodyOfUnknown[term.index] != body; };
     if (body < 0 || holds[body].kind != RegionHold::Kind::None || std::ranges::any_of(row.terms, isOutside)) continue;
@@ -178,24 +179,22 @@ FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, Rotat
   const bool isNew = start.before.rows() == 0;
   FoundShape shape;
   shape.q = startRotations(system, problem.mesh, free, std::move(start));
-  DecidedRotations decided(problem.eliminated, system, problem.mesh);
+  const EliminatedByAxes& eliminated = problem.solvers.eliminated();
+  DecidedRotations decided(eliminated.inAllDirections(), system, problem.mesh);
   decided.settle(system, shape.q);
   if (turnsRows) free.holds = holdsOf(free.regions, decided, system, problem.mesh.rest);
   shape.system = std::move(system);
   UnknownRotations R(static_cast<std::size_t>(shape.q.rows()));
   parallelBlocks(shape.q.rows(), [&](Index i) { R[i] = rotationExp(Vector3(shape.q.row(i))); });
 
-  RowTargets targets;
+  std::vector<RowTargets> targets;
   const auto solved = [&] {
     if (turnsRows) shape.system = decided.withTurnedVectors(rotated(std::move(shape.system), shape.q));
-    if (turnsRows || targets.shifts.rows() == 0) {
-      Diagnosis diagnosis = diagnose(problem.eliminated, shape.system, problem.mesh);
-      targets = {shiftsOf(shape.system), std::move(diagnosis.reconciled), std::move(diagnosis.particular)};
-    }
+    if (turnsRows || targets.empty()) targets = diagnose(eliminated, shape.system, problem.mesh).targets;
     shape.wanted = problem.energy.wanted(R);
     return shape.displacement.u.size() == 0
-               ? problem.solver.solve(targets, shape.wanted)
-               : problem.solver.solveFrom(Displacement(shape.displacement), targets, shape.wanted);
+               ? problem.solvers.solve(targets, shape.wanted)
+               : problem.solvers.solveFrom(Displacement(shape.displacement), targets, shape.wanted);
   };
   shape.displacement = solved();
   Acceleration acceleration;
@@ -241,7 +240,7 @@ FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, Rotat
     add(lostTurns(shape.system, problem.mesh, shape.q));
     add(overruledRotations(shape.system, shape.q));
     const auto next = [&](const Columns3& u) {
-      return problem.solver.solve(targets, problem.energy.wanted(problem.energy.fitted(u, free, R))).u;
+      return problem.solvers.solve(targets, problem.energy.wanted(problem.energy.fitted(u, free, R))).u;
     };
     if (change > 0) add(flatSaddle({problem.energy, problem.mesh, shape.displacement.u, options.change, next}));
   }

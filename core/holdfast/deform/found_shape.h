@@ -6,9 +6,8 @@
 
 #include <holdfast/check/finding.h>
 #include <holdfast/deform/report.h>
-#include <holdfast/elimination/diagnosis.h>
 #include <holdfast/rotation/rotation_energy.h>
-#include <holdfast/solve/constrained_solver.h>
+#include <holdfast/solve/axis_solvers.h>
 #include <holdfast/threads/progress.h>
 
 namespace holdfast {
@@ -17,8 +16,7 @@ namespace holdfast {
 struct FoundProblem {
   const RotationEnergy& energy;
   const SolverMesh& mesh;
-  const EliminatedConstraints& eliminated;
-  const ConstrainedSolver& solver;  ///< of `energy.A()` under `eliminated`
+  const AxisSolvers& solvers;  ///< of `energy.A()`
 };
 
 struct FoundShape {

@@ -13,11 +13,12 @@ namespace holdfast {
 namespace {
 
 /// A vertex of each part that stays at rest.
-std::vector<Index> partsAtRest(const Model& model, const EliminatedConstraints& eliminated)
+std::vector<Index> partsAtRest(const Model& model, const EliminatedByAxes& eliminated)
 {
+  const std::vector<bool> isHeld = eliminated.isHeld();
   std::vector<Index> atRest(static_cast<std::size_t>(model.solverMesh.componentCount), -1);
   for (Index u = 0; u < model.solverMesh.unknownCount(); ++u)
-    if (const Index c = model.solverMesh.componentOf[u]; c >= 0 && eliminated.isHeld[u] && atRest[c] < 0)
+    if (const Index c = model.solverMesh.componentOf[u]; c >= 0 && isHeld[u] && atRest[c] < 0)
       atRest[c] = model.solverMesh.weld.firstVertexOf[u];
   std::erase(atRest, -1);
   return atRest;
@@ -38,8 +39,8 @@ template <class Predicate>
 std::vector<Index> constraintsOf(const DeformDetails& details, const Predicate& isMeant)
 {
   std::vector<Index> result;
-  for (const auto& [dependency, gap] : details.diagnosis.dependent)
-    if (isMeant(dependency)) result.push_back(details.system.rows[dependency.row].constraint);
+  for (const DependentRow& row : details.diagnosis.dependent)
+    if (isMeant(row.dependency)) result.push_back(details.system.rows[row.dependency.row].constraint);
   return sortedOnce(std::move(result));
 }
 
@@ -216,7 +217,7 @@ std::string missedMessage(const Report& report, const MissedRow& row)
       missText(report, row), sensitivity, accuracyText(report.solve.accuracy));
 }
 
-std::vector<Finding> constraintFindings(const Model& model, const EliminatedConstraints& eliminated,
+std::vector<Finding> constraintFindings(const Model& model, const EliminatedByAxes& eliminated,
                                         const DeformDetails& details)
 {
   std::vector<Finding> findings;

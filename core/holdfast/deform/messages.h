@@ -44,7 +44,7 @@ inline constexpr double kDoubtfulAccuracy = 1e-9;
 
 /// Returns findings about parts that stay at rest and constraints that nearly repeat others, and the notes of the
 /// system.
-[[nodiscard]] std::vector<Finding> constraintFindings(const Model& model, const EliminatedConstraints& eliminated,
+[[nodiscard]] std::vector<Finding> constraintFindings(const Model& model, const EliminatedByAxes& eliminated,
                                                       const DeformDetails& details);
 
 /// Says what helps where more constraints contradict others than a person mends one by one. Returns none where they are

@@ -14,6 +14,8 @@ using ConstraintSet = std::vector<Index>;  // ascending
 /// Rows of one constraint that depend on the same other constraints.
 struct DependencyGroup {
   Index rows = 0;
+  Index lastRow = -1;
+  Vector3 lastGap = Vector3::Zero();  // that of the last row, along all axes along which it depends on the others
   Index worstRow = 0;
   Vector3 gap = Vector3::Zero();
   bool isConflict = false;
@@ -27,7 +29,7 @@ using DependencyGroups = std::map<ConstraintSet, DependencyGroup>;
 std::map<Index, DependencyGroups> dependencyGroupsOf(const ConstraintSystem& system, const Diagnosis& diagnosis)
 {
   std::map<Index, DependencyGroups> result;
-  for (const auto& [dependency, gap] : diagnosis.dependent) {
+  for (const auto& [dependency, gap, isConflicting] : diagnosis.dependent) {
     const Index own = system.rows[dependency.row].constraint;
     ConstraintSet others;
     if (const auto reasons = diagnosis.reasons.find(dependency.row); reasons != diagnosis.reasons.end())
@@ -38,11 +40,17 @@ std::map<Index, DependencyGroups> dependencyGroupsOf(const ConstraintSystem& sys
     const bool needsOwn = std::erase(others, own) > 0;
     DependencyGroup& group = result[own][others];
     group.needsOwn = group.needsOwn || needsOwn;
-    if (group.rows++ == 0 || gap.stableNorm() > group.gap.stableNorm()) {
-      group.gap = gap;
+    if (group.lastRow != dependency.row) {
+      ++group.rows;
+      group.lastRow = dependency.row;
+      group.lastGap.setZero();
+    }
+    group.lastGap += gap;
+    if (group.rows == 1 || group.lastGap.stableNorm() > group.gap.stableNorm()) {
+      group.gap = group.lastGap;
       group.worstRow = dependency.row;
     }
-    if (diagnosis.status[dependency.row] != RowStatus::Conflicting) continue;
+    if (!isConflicting) continue;
     group.isConflict = true;
     if (!std::ranges::binary_search(diagnosis.metIfFound, dependency.row)) group.isMetByFoundRotations = false;
   }
@@ -131,22 +139,21 @@ void setConflictSets(std::vector<ConstraintOutcome>& outcomes, const ConstraintL
   }
 }
 
-/// The status, gap and names, no more than `most`, of a constraint with dependent rows.
-void setDependencies(ConstraintOutcome& outcome, Index own, const DependencyGroups& groups,
+/// The status, gap and names, no more than `most`, of a constraint with dependent rows. `hasIndependent`: others are
+/// not.
+void setDependencies(ConstraintOutcome& outcome, Index own, bool hasIndependent, const DependencyGroups& groups,
                      const ConstraintLabels& labels, std::size_t most)
 {
-  Index independent = outcome.rows;
   bool isConflicting = false;
   double gap = 0;
   ConstraintSet terms;
   for (const auto& [others, group] : groups) {
-    independent -= group.rows;
     isConflicting = isConflicting || group.isConflict;
     gap = std::max(gap, group.gap.stableNorm());
     terms.insert(terms.end(), others.begin(), others.end());
     if (group.needsOwn) terms.push_back(own);
   }
-  if (!isConflicting && independent > 0) return;
+  if (!isConflicting && hasIndependent) return;
   outcome.status = isConflicting ? ConstraintStatus::Conflicting : ConstraintStatus::Redundant;
   outcome.gap = gap;
   terms = sortedOnce(std::move(terms));
@@ -168,6 +175,7 @@ std::vector<ConstraintOutcome> unsolvedOutcomes(const DeformDetails& details)
   const ConstraintLabels& labels = *details.labels;
   std::vector<ConstraintOutcome> result(labels.size());
   const std::vector<std::optional<double>> largest = constraintSensitivities(details);
+  std::vector<char> hasIndependent(result.size(), 0);
   forEachConstraint(system, static_cast<Index>(result.size()), [&](Index c, Index first, Index end) {
     const ConstraintLabel& label = labels[c];
     ConstraintOutcome& outcome = result[c];
@@ -175,11 +183,13 @@ std::vector<ConstraintOutcome> unsolvedOutcomes(const DeformDetails& details)
     outcome.type = label.type;
     if (!label.isEnabled) return;
     outcome.rows = end - first;
+    const auto begin = details.diagnosis.status.begin();
+    hasIndependent[c] = std::find(begin + first, begin + end, RowStatus::Independent) != begin + end ? 1 : 0;
     outcome.status = ConstraintStatus::Independent;
     outcome.limit = limitOf(details.diagnosis.limits, first, end);
     outcome.sensitivity = largest[c];
     // An enabled constraint without rows, as a rigid region of one vertex, asks for nothing and holds.
-    if (first == end) setDependencies(outcome, c, {}, labels, 0);
+    if (first == end) setDependencies(outcome, c, false, {}, labels, 0);
   });
   for (const NearPlace& near : system.nearPlaces) {
     std::optional<double>& distance = result[near.constraint].nearDistance;
@@ -187,7 +197,8 @@ std::vector<ConstraintOutcome> unsolvedOutcomes(const DeformDetails& details)
   }
   std::map<Index, DependencyGroups> groups = dependencyGroupsOf(system, details.diagnosis);
   std::size_t count = 0;
-  for (const auto& [own, its] : groups) setDependencies(result[own], own, its, labels, mostNames(count++));
+  for (const auto& [own, its] : groups)
+    setDependencies(result[own], own, hasIndependent[own] != 0, its, labels, mostNames(count++));
   setConflictSets(result, labels, system, std::move(groups));
   return result;
 }
@@ -297,7 +308,7 @@ std::vector<std::optional<double>> constraintSensitivities(const DeformDetails& 
   for (std::size_t r = 0; r < rows.size(); ++r)
     if (details.diagnosis.status[r] == RowStatus::Independent)
       raise(static_cast<Index>(r), (*details.sensitivities)[r]);
-  for (const auto& [dependency, gap] : details.diagnosis.dependent) {
+  for (const auto& [dependency, gap, isConflicting] : details.diagnosis.dependent) {
     raise(dependency.row, 0);
     for (const Term& term : dependency.terms) raise(dependency.row, (*details.sensitivities)[term.index]);
   }

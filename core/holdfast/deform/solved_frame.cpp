@@ -51,7 +51,7 @@ class FrameSolver {
     if (refusal.empty()) refusal = solve(progress);
     if (!refusal.empty()) refuse(refusal);
     if (std::optional<Finding> crowd = crowdedFinding(*details_)) addFindings({*std::move(crowd)});
-    details_->diagnosis.particular = {};
+    details_->diagnosis.targets = {};
     return {std::move(result_), neededDistance_};
   }
 
@@ -79,16 +79,15 @@ class FrameSolver {
 
   void announceFactorization(Progress& progress) const
   {
-    if (!by_.positions.isDone())
-      progress.step(fmt::format("factorising {} unknowns", by_.eliminated->elimination.freeCount()));
+    if (!by_.positions.isDone()) progress.step(fmt::format("factorising {} unknowns", by_.eliminated->freeCount()));
   }
 
   void diagnoseRows()
   {
     details_->diagnosis = diagnose(*by_.eliminated, details_->system, mesh(), by_.knownGaps);
     if (!isFound() && result_.rotations.rows() > 0)
-      details_->diagnosis.metIfFound =
-          closedWhereFound(*by_.eliminated, details_->system, mesh(), details_->diagnosis, result_.rotations);
+      details_->diagnosis.metIfFound = closedWhereFound(by_.eliminated->inAllDirections(), details_->system, mesh(),
+                                                        details_->diagnosis, result_.rotations);
   }
 
   /// Returns why there is no solution, or nothing.
@@ -96,17 +95,18 @@ class FrameSolver {
   {
     const Stopwatch factorization;
     announceFactorization(progress);
-    const SolverResult& solver = by_.positions.result(progress);
+    const AxisSolversResult& result = by_.positions.result(progress);
     report().seconds.factorization += factorization.seconds();
-    if (!solver) return failureMessage(problem_.options, solver.failure);
+    if (!result) return failureMessage(problem_.options, result.failure);
+    const AxisSolvers& solvers = *result.value;
     progress.step("solving");
     const Stopwatch solution;
-    const SolvedDisplacement displacement = displacementBy(*solver.value, progress);
-    report().unknowns = solver.value->unknowns();
-    report().factorNonzeros = solver.value->factorNonzeros();
-    report().method = solver.value->method();
+    const SolvedDisplacement displacement = displacementBy(solvers, progress);
+    report().unknowns = solvers.unknowns();
+    report().factorNonzeros = solvers.factorNonzeros();
+    report().method = solvers.method();
     report().refinementSteps = displacement.displacement->corrections;
-    std::string reason = judgeDisplacement(*solver.value, *displacement.displacement);
+    std::string reason = judgeDisplacement(solvers, *displacement.displacement);
     if (reason.empty()) {
       if (isHard()) details_->multipliers = multipliersOf(displacement);
       place(displacement.displacement->u);
@@ -116,20 +116,31 @@ class FrameSolver {
     return reason.empty() ? reason : failureMessage(problem_.options, reason);
   }
 
-  SolvedDisplacement displacementBy(const ConstrainedSolver& solver, Progress& progress)
+  SolvedDisplacement displacementBy(const AxisSolvers& solvers, Progress& progress)
   {
-    if (isFound()) return findBy(solver, progress);
-    const auto makeF = [this] { return this->makeF(); };
-    if (by_.moved != nullptr) return by_.moved->solve(solver, targets(), result_.rotations, makeF);
+    if (isFound()) return findBy(solvers, progress);
+    if (!by_.moved.empty()) return movedBy(solvers);
     auto f = std::make_shared<const Columns3>(makeF());
-    auto displacement = std::make_shared<const Displacement>(solver.solve(targets(), *f));
+    auto displacement = std::make_shared<const Displacement>(solvers.solve(details_->diagnosis.targets, *f));
     return {std::move(displacement), std::move(f)};
   }
 
-  [[nodiscard]] RowTargets targets()
+  /// By the solutions before, part by part.
+  SolvedDisplacement movedBy(const AxisSolvers& solvers)
   {
-    Diagnosis& diagnosis = details_->diagnosis;
-    return {shiftsOf(details_->system), diagnosis.reconciled, std::move(diagnosis.particular)};
+    std::vector<SolvedDisplacement> parts;
+    for (std::size_t k = 0; k < by_.moved.size(); ++k)
+      parts.push_back(by_.moved[k].solve(solvers.of(k), details_->diagnosis.targets[k], result_.rotations,
+                                         [&] { return by_.eliminated->along(k, makeF()); }));
+    if (parts.size() == 1) return std::move(parts.front());
+    std::vector<Displacement> displacements;
+    std::vector<Columns3> f;
+    for (const SolvedDisplacement& part : parts) {
+      displacements.push_back(*part.displacement);
+      f.push_back(*part.f);
+    }
+    return {std::make_shared<const Displacement>(solvers.joined(std::move(displacements))),
+            std::make_shared<const Columns3>(by_.eliminated->joined(std::move(f)))};
   }
 
   [[nodiscard]] Columns3 makeF() const
@@ -140,11 +151,11 @@ class FrameSolver {
     return f;
   }
 
-  SolvedDisplacement findBy(const ConstrainedSolver& solver, Progress& progress)
+  SolvedDisplacement findBy(const AxisSolvers& solvers, Progress& progress)
   {
     RotationOptions options = problem_.options.rotations;
     if (problem_.before != nullptr) options.mostIterations = kIterationsOfFrame;
-    const FoundProblem problem{*problem_.operators.energy, mesh(), *by_.eliminated, solver};
+    const FoundProblem problem{*problem_.operators.energy, mesh(), solvers};
     FoundShape shape = findShape(
         problem, std::move(details_->system),
         {std::move(result_.rotations), problem_.before == nullptr ? Columns3() : *problem_.before}, options, progress);
@@ -163,13 +174,13 @@ class FrameSolver {
   /// Measures how accurate the displacement is, in the part that constraints determine and in the part that they leave
   /// free. Only `Hard` tells these apart. Returns why the displacement is no solution, or nothing. Warns of a doubtful
   /// one.
-  std::string judgeDisplacement(const ConstrainedSolver& solver, const Displacement& displacement)
+  std::string judgeDisplacement(const AxisSolvers& solvers, const Displacement& displacement)
   {
     if (by_.isBordered && displacement.accuracy > kBorderedAccuracy) return "the border leaves too few digits";
     if (!std::isfinite(largestSize(displacement.u)))
       return farOff(displacement.u, "the solution is not finite: the problem is singular in doubles");
-    const DeterminedPart determined = isHard() ? determinedPart(details_->system, *details_->sensitivities, solver,
-                                                                details_->diagnosis.reconciled, displacement.u)
+    const DeterminedPart determined = isHard() ? determinedPart(details_->system, *details_->sensitivities, solvers,
+                                                                details_->diagnosis.targets, displacement.u)
                                                : DeterminedPart{};
     report().accuracy = std::max(displacement.accuracy, determined.accuracy);
     const bool isOfRows = determined.accuracy > displacement.accuracy;
@@ -201,7 +212,7 @@ class FrameSolver {
                        diagonal = mesh().diagonal, solved = std::move(solved)]() mutable {
                         const SolvedDisplacement its = std::exchange(solved, {});  // not to be kept beside the forces
                         Columns3 forces = forcesAtUnknowns(*A, actedOn.get(), its.displacement->u, *its.f, diagonal);
-                        return Multipliers{eliminated->elimination.multipliers(forces), std::move(forces)};
+                        return Multipliers{eliminated->multipliers(forces), std::move(forces)};
                       });
   }
 
@@ -231,10 +242,15 @@ class FrameSolver {
   void judgeUndecided()
   {
     Diagnosis& diagnosis = details_->diagnosis;
-    for (const auto& [dependency, gap] : diagnosis.dependent)
-      if (dependency.isUndecided())
-        diagnosis.status[dependency.row] =
-            isMissed(*details_, dependency.row) ? RowStatus::Conflicting : RowStatus::Redundant;
+    for (DependentRow& row : diagnosis.dependent) {
+      if (!row.dependency.isUndecided()) continue;
+      RowStatus& status = diagnosis.status[row.dependency.row];
+      row.isConflicting = isMissed(*details_, row.dependency.row);
+      if (row.isConflicting)
+        status = RowStatus::Conflicting;
+      else if (status == RowStatus::Conflicting)
+        status = RowStatus::Redundant;
+    }
   }
 
   /// Makes the shape at rest the result. The report names no residuals then, because the solution is discarded.

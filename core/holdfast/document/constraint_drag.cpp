@@ -27,10 +27,35 @@ void drag(Move& move, const Vector3& place, const Vector3& rest, const RigidIncr
   move.shift = isShift ? Vector3(move.shift + increment.translation) : Vector3(movedPlace(place, increment) - rest);
 }
 
-/// The rows of a region have no corners.
+/// Takes a place and a direction with it; where there is no place, `rest` moves.
+void drag(std::optional<Vector3>& point, Vector3& direction, const Vector3& rest, const RigidIncrement& increment)
+{
+  point = movedPlace(point.value_or(rest), increment);
+  if (increment.degrees != 0)
+    direction = Eigen::AngleAxisd(increment.degrees * kDegree, increment.axis.normalized()) * direction;
+}
+
+void drag(Coordinates& coordinates, const Vector3& place, const Vector3& /*rest*/, const RigidIncrement& increment)
+{
+  const Vector3 moved = movedPlace(place, increment);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (coordinates.values[k]) coordinates.values[k] = moved[static_cast<Index>(k)];
+}
+
+void drag(OnPlane& plane, const Vector3& /*place*/, const Vector3& rest, const RigidIncrement& increment)
+{
+  drag(plane.point, plane.normal, rest, increment);
+}
+
+void drag(OnLine& line, const Vector3& /*place*/, const Vector3& rest, const RigidIncrement& increment)
+{
+  drag(line.point, line.direction, rest, increment);
+}
+
+/// Tells whether a row places a point. The rows of a region have no corners.
 bool isRowOfPoint(const ConstraintRow& row)
 {
-  return row.kind == RowKind::Position && row.corners > 0;
+  return row.kind == RowKind::Position && row.corners > 0 && row.directions.areAll();
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ class Mirror {
   {
     const Vector3 rest = restOf(point.at);
     point.at = AtNear{reflected(rest)};
+    if (const auto* coordinates = std::get_if<Coordinates>(&point.to)) point.to = reflected(*coordinates, rest);
     std::visit([&](auto& to) { reflect(to); }, point.to);
   }
 
@@ -37,6 +38,17 @@ class Mirror {
   {
     for (SurfaceLocation* at : {&relative.from, &relative.to}) *at = AtNear{reflected(restOf(*at))};
     if (relative.offset) reflectVector(*relative.offset);
+  }
+
+  void mirror(CoincidentConstraint& coincident)
+  {
+    for (SurfaceLocation* at : {&coincident.from, &coincident.to}) *at = AtNear{reflected(restOf(*at))};
+  }
+
+  void mirror(SlideConstraint& slide)
+  {
+    mirror(slide.select);
+    std::visit([&](auto& on) { reflect(on); }, slide.on);
   }
 
   void mirror(HandleConstraint& handle)
@@ -55,9 +67,37 @@ class Mirror {
   {
     return place - 2 * plane_.normal.dot(place - plane_.point) * plane_.normal;
   }
+  /// Coordinates as the plane or the line that they hold, which `reflect` goes on with. Those that the mirror keeps
+  /// apart stay coordinates.
+  [[nodiscard]] decltype(PointConstraint::to) reflected(Coordinates coordinates, const Vector3& rest) const
+  {
+    const Vector3 place = coordinates.placeFrom(rest);
+    if (plane_.normal.cwiseAbs().maxCoeff() != 1) {
+      const RowDirections held = coordinates.directions();
+      if (held.areAlongAxis()) return OnPlane{place, held.axis(), 0};
+      return OnLine{place, held.axis()};
+    }
+    const Vector3 opposite = reflected(place);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (coordinates.values[k]) coordinates.values[k] = opposite[static_cast<Index>(k)];
+    return coordinates;
+  }
   void reflectPlace(Vector3& place) const { place = reflected(place); }
   void reflect(Target& target) const { reflectPlace(target.place); }
   void reflect(Move& move) const { reflectVector(move.shift); }
+  void reflect(Coordinates& /*reflected*/) const {}
+  void reflect(FittedPlane& /*plane*/) const {}
+  void reflect(FittedLine& /*line*/) const {}
+  void reflect(OnPlane& plane) const
+  {
+    if (plane.point) reflectPlace(*plane.point);
+    reflectVector(plane.normal);
+  }
+  void reflect(OnLine& line) const
+  {
+    if (line.point) reflectPlace(*line.point);
+    reflectVector(line.direction);
+  }
 
   void reflect(std::monostate& /*none*/) const {}
   void reflect(AxisRotation& turn) const

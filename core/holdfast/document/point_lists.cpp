@@ -76,7 +76,7 @@ std::string toClipboardText(const ConstraintList& list, const std::vector<Index>
 {
   const ConstraintList part = extracted(list, indices);
   const bool isPoints = std::ranges::all_of(part.constraints, [](const Constraint& constraint) {
-    return std::holds_alternative<PointConstraint>(constraint.what);
+    return std::holds_alternative<PointConstraint>(constraint.what) && hasTarget(constraint);
   });
   if (!isPoints) return constraintsToJson(part);
   const SurfaceLocator locator = model.locator();

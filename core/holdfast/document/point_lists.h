@@ -11,10 +11,10 @@
 
 namespace holdfast {
 
-/// Returns the constraints at `indices` as text, every double in its shortest exact form. Where all are points, the
-/// text is a point list (docs/formats.md), else a constraint file. In point lists a point lies at its `near` place, or
-/// where it is at rest. A shift becomes a target, and none is disabled. Throws for points that the mesh does not have,
-/// and as `constraintsToJson` does.
+/// Returns the constraints at `indices` as text, every double in its shortest exact form. Where all are points with
+/// targets, the text is a point list (docs/formats.md), else a constraint file. In point lists a point lies at its
+/// `near` place, or where it is at rest. A shift becomes a target, and none is disabled. Throws for points that the
+/// mesh does not have, and as `constraintsToJson` does.
 [[nodiscard]] std::string toClipboardText(const ConstraintList& list, const std::vector<Index>& indices,
                                           const Model& model);
 

@@ -177,7 +177,7 @@ std::vector<double> residualLimits(const SolverMesh& mesh, const ConstraintSyste
 {
   const std::vector<double> own = magnitudes(mesh, system, u);
   std::vector<double> limits = own;
-  for (const auto& [dependency, gap] : dependent)
+  for (const auto& [dependency, gap, isConflicting] : dependent)
     for (const Term& term : dependency.terms)
       limits[dependency.row] = std::max(limits[dependency.row], own[term.index]);
   for (double& limit : limits) limit = std::max(kPromisedResidual * mesh.diagonal, kShare * limit);
@@ -200,6 +200,8 @@ Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSyst
                    KnownGaps& known)
 {
   Diagnosis diagnosis;
+  RowTargets& targets = diagnosis.targets.emplace_back();
+  targets.shifts = shiftsOf(system);
   diagnosis.isNearOrigin = isNearOrigin(mesh, system);
   diagnosis.status.assign(system.rows.size(), RowStatus::Independent);
   if (!eliminated.dependencies.empty()) {
@@ -207,25 +209,26 @@ Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSyst
     Columns3 shifts = shiftsOf(system, known.rows);
     // Limits of other rows need the displacement.
     if (known.gaps.empty() || known.shifts != shifts || !diagnosis.isNearOrigin) {
-      diagnosis.particular = eliminated.elimination.particular(shiftsOf(system));
+      targets.particular = eliminated.elimination.particular(targets.shifts);
       known.shifts = std::move(shifts);
-      known.gaps = gapsOf(eliminated, system, diagnosis.particular);
+      known.gaps = gapsOf(eliminated, system, targets.particular);
     }
     diagnosis.dependent = known.gaps;
   }
   diagnosis.limits = diagnosis.isNearOrigin ? std::vector<double>(system.rows.size(), kPromisedResidual * mesh.diagonal)
-                                            : residualLimits(mesh, system, diagnosis.dependent, diagnosis.particular);
+                                            : residualLimits(mesh, system, diagnosis.dependent, targets.particular);
   std::vector<const Dependency*> agreeing;
   std::vector<Index> missed;
-  for (const auto& [dependency, gap] : diagnosis.dependent) {
+  for (auto& [dependency, gap, isConflicting] : diagnosis.dependent) {
     const double limit = kConsistentShare * diagnosis.limits[dependency.row];
     const bool agrees = gap.stableNorm() <= limit * gapPerChange(eliminated, dependency);
     const bool mayAgree = agrees || gap.stableNorm() <= undecidedGap(dependency, system);
+    isConflicting = !mayAgree;
     diagnosis.status[dependency.row] = mayAgree ? RowStatus::Redundant : RowStatus::Conflicting;
     if (agrees) agreeing.push_back(&dependency);
     if (agrees && gap.stableNorm() > limit) missed.push_back(dependency.row);
   }
-  if (!missed.empty()) diagnosis.reconciled = joinedToMissed(missed, agreeing, eliminated.rows);
+  if (!missed.empty()) targets.reconciled = joinedToMissed(missed, agreeing, eliminated.rows);
   return diagnosis;
 }
 

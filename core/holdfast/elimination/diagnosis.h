@@ -21,22 +21,28 @@ enum class RowStatus {
 struct DependentRow {
   Dependency dependency;
   Vector3 gap = Vector3::Zero();
+  bool isConflicting = false;  ///< along the axes of this dependency
+};
+
+/// What a solver is asked for the rows of its elimination.
+struct RowTargets {
+  Columns3 shifts;                ///< d of B u = d, for every row
+  std::vector<Index> reconciled;  ///< the redundant rows that the independent ones alone would miss, and those that
+                                  ///< share circuits with them: hard constraints meet them by `reconciledParticular`
+  Columns3 particular = {};       ///< `Elimination::particular` of the shifts where that is known; else no rows
 };
 
 struct Diagnosis {
   std::vector<RowStatus> status;        ///< of each row
   std::vector<DependentRow> dependent;  ///< ascending by row
-  std::vector<double> limits;  ///< of each row: the largest residual with which it is met, see `residualLimits`
-  bool isNearOrigin = false;   ///< then each limit is the promised residual, whatever the displacement
-  /// The redundant rows that the independent ones alone would miss, and those that share circuits with them, see
-  /// `reconciledParticular`.
-  std::vector<Index> reconciled;
+  std::vector<double> limits;       ///< of each row: the largest residual with which it is met, see `residualLimits`
+  bool isNearOrigin = false;        ///< then each limit is the promised residual, whatever the displacement
+  std::vector<RowTargets> targets;  ///< one for each elimination of the rows, see `EliminatedByAxes`
   /// The rows that each conflicting row contradicts, if its gap depends on rotations. The map is filled if rotations
   /// were found.
   std::map<Index, std::vector<Index>> reasons;
   /// The conflicting rows that would be met if rotations were found, ascending. None where they were found.
   std::vector<Index> metIfFound;
-  Columns3 particular;  ///< `Elimination::particular` of the shifts, where gaps were read off it; else no rows
 
   [[nodiscard]] bool hasConflicts() const;
 };

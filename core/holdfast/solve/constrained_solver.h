@@ -11,13 +11,6 @@
 
 namespace holdfast {
 
-/// What the rows ask of the displacement.
-struct RowTargets {
-  Columns3 shifts;                ///< d of B u = d, for every row of the system
-  std::vector<Index> reconciled;  ///< redundant rows that hard constraints meet by least squares: see `Diagnosis`
-  Columns3 particular = {};       ///< `Elimination::particular` of the shifts where that is known; else no rows
-};
-
 /// A displacement of the unknowns from rest. The paper solves for positions. The displacement solves the same problem,
 /// with the rest shape taken off both sides. It keeps the digits that positions would spend on that shape.
 struct Displacement {
@@ -66,6 +59,9 @@ class ConstrainedSolver {
   /// for each row fewer. Fails where these are too many, or where the solver does not do that. O(factor) for three
   /// rows.
   [[nodiscard]] virtual SolverResult edited(const std::shared_ptr<const EliminatedConstraints>& others) const;
+
+  /// Returns how many rows `Displacement::multipliers` of the next solution has, unless the solver goes on without.
+  [[nodiscard]] virtual Index keptRows() const { return 0; }
 
   /// Returns how many unknowns the system that is solved has, for each coordinate.
   [[nodiscard]] virtual Index unknowns() const = 0;

@@ -119,6 +119,7 @@ class HardSolver final : public ConstrainedSolver {
     return (kept > 0).select(rowsOfSets(Q2, sets).array() * (columns.array() - kept), 0).sum();
   }
 
+  [[nodiscard]] Index keptRows() const override { return reduced_->kept; }
   [[nodiscard]] Index unknowns() const override { return reduced_->scale.size() + reduced_->kept; }
   [[nodiscard]] Index factorNonzeros() const override { return reduced_->factor->nonzeros(); }
   [[nodiscard]] std::string method() const override { return std::string(reduced_->factor->method()); }
@@ -238,6 +239,7 @@ class MultipliersFirst final : public ConstrainedSolver {
     return solver_->edited(others);
   }
 
+  [[nodiscard]] Index keptRows() const override { return solver_->keptRows(); }
   [[nodiscard]] Index unknowns() const override { return solver_->unknowns(); }
   [[nodiscard]] Index factorNonzeros() const override { return solver_->factorNonzeros(); }
   [[nodiscard]] std::string method() const override { return solver_->method(); }

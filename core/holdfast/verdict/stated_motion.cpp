@@ -29,7 +29,7 @@ Vector3 placeAtRest(const ConstraintRow& row)
 
 bool isPointRow(const ConstraintRow& row)
 {
-  return row.kind == RowKind::Position && row.corners > 0;
+  return row.kind == RowKind::Position && row.corners > 0 && row.directions.areAll();
 }
 
 using RowList = std::vector<Index>;
@@ -147,11 +147,12 @@ void addReversed(std::vector<Index>& constraints, const ConstraintSystem& system
 }
 
 /// The unknowns of each constraint that could turn and states no rotation: rigid regions, and handles without a
-/// rotation.
+/// rotation. What slides says nothing of rotations.
 std::map<Index, std::vector<Index>> regionsWithoutRotation(const ConstraintSystem& system)
 {
   std::map<Index, std::vector<Index>> regions;
   for (const ConstraintRow& row : system.rows) {
+    if (!row.directions.areAll()) continue;
     if (row.kind == RowKind::Region)
       for (const Term& term : row.terms) regions[row.constraint].push_back(term.index);
     if (row.kind == RowKind::Position && row.corners == 0 && !row.shift.isZero(0))

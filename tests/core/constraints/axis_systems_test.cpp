@@ -86,7 +86,7 @@ TEST(AxisSystems, ShareAxesAlongWhichTheSameRowsHold)
   EXPECT_EQ(systems[1].axes, 0b010U);
   EXPECT_EQ(systems[1].rows, (std::vector<Index>{0, 1}));
   EXPECT_EQ(systems[1].system.rows[0].shift, Vector3(0, 2, 0));
-  EXPECT_EQ(systems[1].system.rows[1].target, Vector3(0, 5, 0));
+  EXPECT_EQ(systems[1].system.rows[1].shift, Vector3(0, 5, 0));
 }
 
 TEST(AxisSystems, AreThreeWhereNoTwoAxesHaveTheSameRows)

@@ -97,8 +97,8 @@ TEST(ConstraintFileErrors, DocumentIsAnObjectOfTheKnownFormatAndVersion)
   expectFileRefused(R"({"format": 1})", "format", "text in double quotes is expected here, this is an integer");
   expectFileRefused(R"({"format": "holdfast-report", "version": 1})", "format", R"(says "holdfast-report")");
   expectFileRefused(R"({"format": "holdfast-constraints"})", "top level", R"("version" is missing)");
-  expectFileRefused(R"({"format": "holdfast-constraints", "version": 2, "new": 1})", "version",
-                    "version 2 is newer than this program");
+  expectFileRefused(R"({"format": "holdfast-constraints", "version": 3, "new": 1})", "version",
+                    "version 3 is newer than this program, which reads versions 1 to 2");
   expectFileRefused(R"({"format": "holdfast-constraints", "version": 0})", "version", "no version 0");
   expectFileRefused(R"({"format": "holdfast-constraints", "version": 1.5})", "version", "not an integer");
   expectFileRefused(R"({"format": "holdfast-constraints", "version": "1"})", "version", "this is text");

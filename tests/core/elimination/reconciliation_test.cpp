@@ -121,7 +121,7 @@ TEST(Reconciliation, IsOfAllRowsThatShareCircuitsWithAMissedOne)
     std::get<Move>(std::get<PointConstraint>(list.constraints[4].what).to).shift.x() = share * limit;
     const EliminatedList problem = eliminatedList(mesh, list);
     KnownGaps known;
-    return diagnose(problem.eliminated, problem.system, problem.mesh, known).reconciled;
+    return diagnose(problem.eliminated, problem.system, problem.mesh, known).targets.front().reconciled;
   };
   EXPECT_EQ(rowsAsking(3), (std::vector<Index>{4, 5}));
   EXPECT_EQ(rowsAsking(0.9), std::vector<Index>()) << "met as it is";

@@ -4,12 +4,12 @@
 
 #include <holdfast/constraints/axis_systems.h>
 #include <holdfast/operators/operators.h>
-#include <holdfast/solve/constrained_solver.h>
+#include <holdfast/solve/axis_solvers.h>
 
-#include "support/lapack.h"
 #include "support/meshes.h"
 #include "support/random.h"
 #include "support/solve_cases.h"
+#include "support/whole_problem.h"
 
 namespace holdfast {
 namespace {
@@ -24,6 +24,7 @@ ConstraintRow randomRow(test::Random& random, const SolverMesh& mesh, RowDirecti
   std::ranges::sort(terms, {}, &Term::index);
   row.terms = FewTerms(terms);
   for (int k = 0; k < 3; ++k) row.shift[k] = random.uniform(-0.3, 0.3);
+  row.shift = directions.held(row.shift);
   row.directions = directions;
   return row;
 }
@@ -40,107 +41,126 @@ ConstraintSystem randomSystem(test::Random& random, const SolverMesh& mesh)
   return system;
 }
 
-/// All coordinates of all unknowns, x of all first.
-struct WholeProblem {
-  Eigen::MatrixXd A;
-  Eigen::MatrixXd B;
-  Eigen::VectorXd d;
+/// A random problem on a small mesh, and its solvers.
+struct RandomProblem {
+  RandomProblem(std::uint32_t seed, const SolverOptions& options)
+      : random(seed),
+        mesh(test::solverMeshOf(seed % 2 == 0 ? test::icosphere(1) : test::plate(5, 4))),
+        A(std::make_shared<const EnergyMatrix>(weightedRows(makeOperators(mesh, Weights::Cotangent)))),
+        system(randomSystem(random, mesh)),
+        eliminated(std::make_shared<const EliminatedByAxes>(system, mesh, kRankTolerance)),
+        solvers(makeAxisSolvers({A, eliminated, mesh.rest, {}}, options)),
+        f(mesh.unknownCount(), 3)
+  {
+    for (double& value : f.reshaped()) value = random.uniform(-0.1, 0.1);
+  }
+
+  [[nodiscard]] Displacement solved() const
+  {
+    return solvers.value->solve(diagnose(*eliminated, system, mesh).targets, f);
+  }
+
+  test::Random random;
+  SolverMesh mesh;
+  std::shared_ptr<const EnergyMatrix> A;
+  ConstraintSystem system;
+  std::shared_ptr<const EliminatedByAxes> eliminated;
+  AxisSolversResult solvers;
+  Columns3 f;
 };
 
-WholeProblem wholeProblem(const Eigen::MatrixXd& A, const ConstraintSystem& system)
-{
-  const Index n = A.cols();
-  WholeProblem result{Eigen::MatrixXd::Zero(3 * A.rows(), 3 * n), Eigen::MatrixXd(0, 3 * n), Eigen::VectorXd(0)};
-  for (Index k = 0; k < 3; ++k) result.A.block(k * A.rows(), k * n, A.rows(), n) = A;
-  const auto add = [&](const ConstraintRow& row, const Vector3& direction) {
-    result.B.conservativeResize(result.B.rows() + 1, Eigen::NoChange);
-    result.B.bottomRows(1).setZero();
-    for (Index k = 0; k < 3; ++k)
-      for (const Term& term : row.terms)
-        result.B(result.B.rows() - 1, k * n + term.index) = direction[k] * term.coefficient;
-    result.d.conservativeResize(result.B.rows());
-    result.d[result.d.size() - 1] = direction.dot(row.shift);
-  };
-  for (const ConstraintRow& row : system.rows) {
-    if (row.directions.areAll()) {
-      for (int k = 0; k < 3; ++k) add(row, Vector3::Unit(k));
-    } else if (row.directions.areAlongAxis()) {
-      add(row, row.directions.axis());
-    } else {
-      const Vector3 first = row.directions.axis().unitOrthogonal();
-      add(row, first);
-      add(row, row.directions.axis().cross(first));
-    }
-  }
-  return result;
-}
-
-Columns3 solvedByAxes(const ConstraintSystem& system, const SolverMesh& mesh, const EnergyMatrix& A, const Columns3& f,
-                      Backend backend)
-{
-  const std::optional<Eigen::Matrix3d> frame = commonFrame(system.rows);
-  EXPECT_TRUE(frame);
-  std::vector<Columns3> ofSystems;
-  for (const AxisSystem& some : axisSystems(system, *frame)) {
-    const auto eliminated = std::make_shared<const EliminatedConstraints>(eliminate(some.system, mesh));
-    const SolverResult solver =
-        makeSolver({std::make_shared<const EnergyMatrix>(A), eliminated, mesh.rest}, {SolverKind::Hard, backend, 5});
-    EXPECT_TRUE(solver) << solver.failure;
-    ofSystems.push_back(solver.value->solve({shiftsOf(some.system), {}}, alongAxes(f, some.axes, *frame)).u);
-  }
-  return joinedAxes(ofSystems, *frame);
-}
-
-class SolvedByAxes : public testing::TestWithParam<Backend> {};
+class SolvedByAxes : public testing::TestWithParam<Backend> {
+ protected:
+  [[nodiscard]] static SolverOptions options() { return {SolverKind::Hard, GetParam(), 5}; }
+};
 
 TEST_P(SolvedByAxes, AgreesWithLapackOnAllCoordinatesAtOnce)
 {
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
-    test::Random random(seed);
-    const Mesh mesh = seed % 2 == 0 ? test::icosphere(1) : test::plate(5, 4);
-    const SolverMesh solverMesh = makeSolverMesh(mesh, triangulate(mesh));
-    const EnergyMatrix A = weightedRows(makeOperators(solverMesh, Weights::Cotangent));
-    const ConstraintSystem system = randomSystem(random, solverMesh);
-    Columns3 f(solverMesh.unknownCount(), 3);
-    for (double& value : f.reshaped()) value = random.uniform(-0.1, 0.1);
-
-    const Columns3 u = solvedByAxes(system, solverMesh, A, f, GetParam());
-    for (const ConstraintRow& row : system.rows) {
+    const RandomProblem problem(seed, options());
+    ASSERT_TRUE(problem.solvers) << problem.solvers.failure;
+    const Columns3 u = problem.solved().u;
+    for (const ConstraintRow& row : problem.system.rows) {
       Vector3 left = row.shift;
       for (const Term& term : row.terms) left -= term.coefficient * u.row(term.index).transpose();
       EXPECT_LE(row.directions.held(left).norm(), 1e-13);
     }
-    const WholeProblem whole = wholeProblem(Eigen::MatrixXd(A.matrix()), system);
-    const auto expected =
-        test::constrainedLeastSquaresByLapack(whole.A, whole.B, f.reshaped(), Eigen::MatrixXd(whole.d));
+    const std::optional<Columns3> expected =
+        test::wholeSolution(Eigen::MatrixXd(problem.A->matrix()), problem.f, problem.system);
     if (!expected) GTEST_SKIP() << "LAPACK was not found when the tests were configured (package liblapack-dev)";
-    EXPECT_LT((u.reshaped() - expected->col(0)).norm(), 1e-10 * expected->norm());
+    EXPECT_LT((u - *expected).norm(), 1e-10 * expected->norm());
+  }
+}
+
+TEST_P(SolvedByAxes, GoesOnFromASolution)
+{
+  for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+    RandomProblem problem(seed, options());
+    Displacement near = problem.solved();
+    for (ConstraintRow& row : problem.system.rows) row.shift *= 1.25;
+    const Columns3 expected = problem.solved().u;
+    const std::vector<RowTargets> targets = diagnose(*problem.eliminated, problem.system, problem.mesh).targets;
+    const Displacement found = problem.solvers.value->solveFrom(std::move(near), targets, problem.f);
+    EXPECT_LT((found.u - expected).norm(), 1e-12 * expected.norm());
+  }
+}
+
+TEST_P(SolvedByAxes, HasMultipliersThatBalanceTheEnergy)
+{
+  for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+    const RandomProblem problem(seed, options());
+    const Columns3 u = problem.solved().u;
+    const Columns3 gradient = problem.A->matrix().transpose() * (problem.f - problem.A->matrix() * u);
+    const Columns3 ofRows = problem.eliminated->multipliers(gradient);
+    Columns3 held = Columns3::Zero(u.rows(), 3);
+    for (std::size_t r = 0; r < problem.system.rows.size(); ++r) {
+      const ConstraintRow& row = problem.system.rows[r];
+      const Vector3 force = ofRows.row(static_cast<Index>(r));
+      EXPECT_LT((row.directions.held(force) - force).norm(), 1e-12 * gradient.norm()) << "a free direction pulls";
+      for (const Term& term : row.terms) held.row(term.index) += term.coefficient * force.transpose();
+    }
+    EXPECT_LT((held - gradient).norm(), 1e-9 * gradient.norm());
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, SolvedByAxes, testing::ValuesIn(test::backends()),
                          [](const auto& param) { return std::string(name(param.param)); });
 
-TEST(RowsWithDirections, ThatConflictAlongOneAxisHoldAlongTheOthers)
+TEST(EliminatedByAxes, HasRowsThatConflictAlongOneAxis)
 {
-  const Mesh mesh = test::plate(3, 3);
-  const SolverMesh solverMesh = makeSolverMesh(mesh, triangulate(mesh));
+  const SolverMesh mesh = test::solverMeshOf(test::plate(3, 3));
   ConstraintSystem system;
   for (const RowDirections& directions : {RowDirections(), RowDirections::along({0, 0, 1})}) {
     ConstraintRow& row = system.rows.emplace_back();
     row.terms = {{4, 1.0}};
+    row.target = row.shift = Vector3::Zero();
     row.directions = directions;
   }
-  system.rows[1].shift = {7, 8, 0.25};
-  const std::vector<AxisSystem> systems = axisSystems(system, Eigen::Matrix3d::Identity());
-  ASSERT_EQ(systems.size(), 2U);
-  const auto diagnosed = [&](const AxisSystem& some) {
-    return diagnose(eliminate(some.system, solverMesh), some.system, solverMesh);
-  };
-  EXPECT_EQ(diagnosed(systems[0]).status, std::vector{RowStatus::Independent});
-  const Diagnosis z = diagnosed(systems[1]);
-  EXPECT_EQ(z.status, (std::vector{RowStatus::Independent, RowStatus::Conflicting}));
-  EXPECT_EQ(z.dependent.front().gap, Vector3(0, 0, 0.25));
+  system.rows[1].shift = {0, 0, 0.25};
+  const EliminatedByAxes eliminated(system, mesh, kRankTolerance);
+  ASSERT_EQ(eliminated.parts().size(), 2U);
+  const Diagnosis diagnosis = diagnose(eliminated, system, mesh);
+  EXPECT_EQ(diagnosis.status, (std::vector{RowStatus::Independent, RowStatus::Conflicting}));
+  ASSERT_EQ(diagnosis.dependent.size(), 1U);
+  EXPECT_EQ(diagnosis.dependent.front().gap, Vector3(0, 0, 0.25));
+  EXPECT_EQ(diagnosis.dependent.front().dependency.row, 1);
+  EXPECT_EQ(diagnosis.dependent.front().dependency.terms, (std::vector<Term>{{0, 1.0}}));
+  EXPECT_EQ(diagnosis.targets.size(), 2U);
+}
+
+TEST(EliminatedByAxes, HasRowsThatRepeatOthersAlongSomeAxesAlone)
+{
+  const SolverMesh mesh = test::solverMeshOf(test::plate(3, 3));
+  ConstraintSystem system;
+  for (const RowDirections& directions : {RowDirections::along({0, 0, 1}), RowDirections()}) {
+    ConstraintRow& row = system.rows.emplace_back();
+    row.terms = {{4, 1.0}};
+    row.target = row.shift = Vector3::Zero();
+    row.directions = directions;
+  }
+  const Diagnosis diagnosis = diagnose(EliminatedByAxes(system, mesh, kRankTolerance), system, mesh);
+  EXPECT_EQ(diagnosis.status, (std::vector{RowStatus::Independent, RowStatus::Independent}));
+  EXPECT_EQ(diagnosis.dependent.size(), 1U) << "along z it follows";
 }
 
 }  // namespace

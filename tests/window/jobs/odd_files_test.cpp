@@ -70,8 +70,8 @@ TEST_F(OddFilesJob, SayWhatIsWrongAndLeaveTheDocument)
   expectRefused("letters.off", "OFF\n3 1 0\n0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n", {"Line: 4", "zero"});
   expectRefused("empty.stl", "", {"empty"});
   expectRefused("no mesh.obj", "# nothing\n", {"no vertices"});
-  expectRefused("newer.holdfast", R"({"format": "holdfast-constraints", "version": 2, "constraints": []})",
-                {"Version 2", "newer"});
+  expectRefused("newer.holdfast", R"({"format": "holdfast-constraints", "version": 3, "constraints": []})",
+                {"Version 3", "newer"});
   expectRefused("old key.holdfast",
                 R"({"format": "holdfast-constraints", "version": 1, "constraints": [], "mesh": {"path": "a.obj"},
                     "selection": []})",

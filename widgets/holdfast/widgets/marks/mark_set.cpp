@@ -104,6 +104,18 @@ class DisabledMarks {
     return ofSelection(rigid.select, MarkKind::Rigid, place);
   }
 
+  std::vector<ConstraintMark> marksOf(const SlideConstraint& slide, Index place)
+  {
+    return ofSelection(slide.select, MarkKind::Selection, place);
+  }
+
+  std::vector<ConstraintMark> marksOf(const CoincidentConstraint& coincident, Index place)
+  {
+    ConstraintMark mark = markAt(located(coincident.from), MarkKind::Relative, place);
+    mark.other = positionOf(located(coincident.to), positions_);
+    return {mark};
+  }
+
   std::vector<ConstraintMark> marksOf(const PointConstraint& point, Index place)
   {
     const SurfacePoint at = located(point.at);

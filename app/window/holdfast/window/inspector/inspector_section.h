@@ -230,6 +230,8 @@ using Sections = std::vector<InspectorSection*>;
 /// Makes sections that show how handles turn, where they go, and their frames. They also show what each vertex that a
 /// handle lists has of its own.
 [[nodiscard]] Sections newHandleSections(Editor& editor);
+/// Makes a section that shows on what the vertices of slide constraints stay, and whether that may shift.
+[[nodiscard]] Sections newSlideSections(Editor& editor);
 /// Makes sections that show which places relative constraints keep together, and how.
 [[nodiscard]] Sections newRelativeSections(Editor& editor);
 /// Makes sections that show whether constraints hold and how hard they pull. Of several constraints they show the
@@ -237,7 +239,7 @@ using Sections = std::vector<InspectorSection*>;
 [[nodiscard]] Sections newOutcomeSections(Editor& editor);
 
 /// Makes the sections of the panel, from its top.
-inline constexpr std::array kNewSections{newPointSections, newVerticesSections, newHandleSections, newRelativeSections,
-                                         newOutcomeSections};
+inline constexpr std::array kNewSections{newPointSections, newVerticesSections, newHandleSections,
+                                         newSlideSections, newRelativeSections, newOutcomeSections};
 
 }  // namespace holdfast

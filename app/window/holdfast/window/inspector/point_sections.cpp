@@ -1,13 +1,14 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <vector>
 
 #include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/document/handle_restated.h>
 #include <holdfast/surface/surface_locator.h>
-#include <holdfast/window/inspector/inspector_section.h>
+#include <holdfast/window/inspector/guide_section.h>
 #include <holdfast/window/model/at_rest.h>
-#include <holdfast/words/error.h>
 
 namespace holdfast {
 namespace {
@@ -221,28 +222,26 @@ class LocationSection : public SectionOf<PointConstraint> {
   QLabel* rest_ = nullptr;
 };
 
-class TargetSection : public SectionOf<PointConstraint> {
+/// In the order of `PointConstraint::to`.
+enum Way { ToPlace, ByShift, ToCoordinates, OnAPlane, OnALine };
+static_assert(std::variant_size_v<decltype(PointConstraint::to)> == OnALine + 1);
+
+/// The sets of coordinates that may be free, as bits, in the order in which they are offered.
+constexpr std::array<unsigned, 6> kFreeSets{0b001, 0b010, 0b100, 0b011, 0b110, 0b101};
+
+class TargetSection : public GuideSection<PointConstraint, &PointConstraint::to> {
  public:
-  explicit TargetSection(Editor& editor) : SectionOf(editor, tr("Target"))
+  explicit TargetSection(Editor& editor) : GuideSection(editor, tr("Target"))
   {
     bindChoice(
-        tr("&Goes"), "targetWay", tr("How the target is given"), {tr("to a place"), tr("by a shift from rest")},
-        [](const PointConstraint& point) { return std::holds_alternative<Move>(point.to) ? ByShift : ToPlace; },
-        [this](int way) { chooseWay(way); });
+        tr("&Goes"), "targetWay", tr("How the target is given"),
+        {tr("to a place"), tr("by a shift from rest"), tr("to single coordinates"), tr("on a plane"), tr("on a line")},
+        [](const PointConstraint& point) { return static_cast<double>(point.to.index()); },
+        [this](int way) { chooseWay(static_cast<Way>(way)); });
     bindVector(
-        tr("Ta&rget"), "targetPlace",
-        [this](const PointConstraint& point) -> std::optional<Vector3> {
-          if (const Target* target = std::get_if<Target>(&point.to)) return target->place;
-          const std::optional<Vector3> rest = restPlace(this->editor(), point.at);
-          return rest ? std::optional(placeOf(point, *rest)) : std::nullopt;
-        },
+        tr("Ta&rget"), "targetPlace", [this](const PointConstraint& point) { return placeOfGoal(point); },
         tr("move %1 to %2 = %3"),
-        [this](PointConstraint& point, int axis, double number) {
-          Vector3 rest = requireRestPlace(this->editor(), point.at);
-          Vector3 place = placeOf(point, rest);
-          place[axis] = number;
-          point.setTarget(place, [&](const SurfaceLocation& /*at*/) { return rest; });
-        },
+        [this](PointConstraint& point, int axis, double number) { setPlace(point, axis, number); },
         WithoutValue::Shown);
     bindVector(
         tr("Sh&ift"), "targetShift",
@@ -252,23 +251,98 @@ class TargetSection : public SectionOf<PointConstraint> {
         },
         tr("shift %1 by %2 = %3"),
         [](PointConstraint& point, int axis, double number) { std::get<Move>(point.to).shift[axis] = number; });
+    addCoordinates();
+    bindGuides("target");
   }
 
  private:
-  enum Way { ToPlace, ByShift };
-
-  void chooseWay(int way)
+  void addCoordinates()
   {
-    const QString name = way == ToPlace ? tr("send %1 to a place") : tr("shift %1");
-    edit(name.arg(subject()), [&](PointConstraint& point) {
+    bindChoice(
+        tr("Free a&long"), "targetFree", tr("The coordinates that are free"),
+        {"x", "y", "z", tr("x and y"), tr("y and z"), tr("x and z")},
+        [](const PointConstraint& point) -> std::optional<double> {
+          const auto* coordinates = std::get_if<Coordinates>(&point.to);
+          if (coordinates == nullptr) return std::nullopt;
+          return static_cast<double>(std::ranges::find(kFreeSets, freeSetOf(*coordinates)) - kFreeSets.begin());
+        },
+        [this](int choice) { chooseFree(kFreeSets[static_cast<std::size_t>(choice)]); });
+  }
+
+  static unsigned freeSetOf(const Coordinates& coordinates)
+  {
+    unsigned set = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!coordinates.values[k]) set |= 1U << k;
+    return set;
+  }
+
+  /// Where the point goes; of a plane or a line the place through which it leads. Nothing where the mesh has no such
+  /// point.
+  [[nodiscard]] std::optional<Vector3> placeOfGoal(const PointConstraint& point) const
+  {
+    if (const Target* target = std::get_if<Target>(&point.to)) return target->place;
+    const std::optional<Vector3> rest = restPlace(editor(), point.at);
+    if (const OnPlane* plane = std::get_if<OnPlane>(&point.to)) return plane->point ? plane->point : rest;
+    if (const OnLine* line = std::get_if<OnLine>(&point.to)) return line->point ? line->point : rest;
+    return rest ? std::optional(placeOf(point, *rest)) : std::nullopt;
+  }
+
+  /// A coordinate that was free is prescribed from then on.
+  void setPlace(PointConstraint& point, int axis, double number) const
+  {
+    const Vector3 rest = requireRestPlace(editor(), point.at);
+    if (auto* coordinates = std::get_if<Coordinates>(&point.to)) {
+      coordinates->values[static_cast<std::size_t>(axis)] = number;
+      if (freeSetOf(*coordinates) == 0) point.to = Target{coordinates->placeFrom(rest)};
+      return;
+    }
+    Vector3 place = placeOfGoal(point).value();
+    place[axis] = number;
+    if (std::optional<Vector3>* through = throughOf(point))
+      *through = place;
+    else
+      point.setTarget(place, [&](const SurfaceLocation& /*at*/) { return rest; });
+  }
+
+  void chooseWay(Way way)
+  {
+    const std::array names{tr("send %1 to a place"), tr("shift %1"), tr("hold coordinates of %1"),
+                           tr("keep %1 on a plane"), tr("keep %1 on a line")};
+    edit(names[way].arg(subject()), [&](PointConstraint& point) {
       const std::optional<Vector3> rest = restPlace(editor(), point.at);
-      const bool isThere = std::holds_alternative<Target>(point.to) == (way == ToPlace);
-      if (!rest || isThere) return false;
-      const Vector3 place = placeOf(point, *rest);
-      if (way == ToPlace)
-        point.to = Target{place};
-      else
-        point.to = Move{place - *rest};
+      if (!rest || point.to.index() == static_cast<std::size_t>(way)) return false;
+      point.to = goalOf(way, point, *rest);
+      return true;
+    });
+  }
+
+  /// What takes the point where it goes now. Planes and lines get the direction across the surface at rest.
+  [[nodiscard]] decltype(PointConstraint::to) goalOf(Way way, const PointConstraint& point, const Vector3& rest) const
+  {
+    const Vector3 place = placeOf(point, rest);
+    if (way == ToPlace) return Target{place};
+    if (way == ByShift) return Move{place - rest};
+    const Model& model = *editor().model();
+    const Vector3 across = surfaceAxes(model, model.locator().locate(point.at, {}), model.mesh.positions).col(2);
+    if (way == OnAPlane) return OnPlane{place, across, 0};
+    if (way == OnALine) return OnLine{place, across};
+    Index axis = 0;
+    across.cwiseAbs().maxCoeff(&axis);
+    Coordinates coordinates;
+    coordinates.values[static_cast<std::size_t>(axis)] = place[axis];
+    return coordinates;
+  }
+
+  void chooseFree(unsigned set)
+  {
+    edit(tr("hold coordinates of %1").arg(subject()), [&](PointConstraint& point) {
+      const std::optional<Vector3> rest = restPlace(editor(), point.at);
+      auto& coordinates = std::get<Coordinates>(point.to);
+      if (!rest || freeSetOf(coordinates) == set) return false;
+      const Vector3 place = coordinates.placeFrom(*rest);
+      for (std::size_t k = 0; k < 3; ++k)
+        coordinates.values[k] = (set >> k & 1U) != 0 ? std::nullopt : std::optional(place[static_cast<Index>(k)]);
       return true;
     });
   }

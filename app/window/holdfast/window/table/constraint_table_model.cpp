@@ -80,6 +80,12 @@ Rows rowsOf(const QMimeData& data, const void* list)
   return {rows.begin(), rows.end()};
 }
 
+/// Tells whether the point is held along this coordinate by itself.
+bool holds(const PointConstraint& point, Index axis)
+{
+  return point.directions().coordinates()[static_cast<std::size_t>(axis)];
+}
+
 }  // namespace
 
 ConstraintTableModel::ConstraintTableModel(Editor& editor, QObject* parent)
@@ -114,7 +120,7 @@ std::optional<double> ConstraintTableModel::coordinate(int row, int column) cons
   if (const HandleConstraint* handle = std::get_if<HandleConstraint>(&constraint(row).what))
     return handle->translate[column - X];
   const PointConstraint* point = std::get_if<PointConstraint>(&constraint(row).what);
-  if (point == nullptr) return std::nullopt;
+  if (point == nullptr || !holds(*point, column - X)) return std::nullopt;
   if (const Target* target = std::get_if<Target>(&point->to)) return target->place[column - X];
   const std::optional<Vector3> rest = restPlace(editor_, point->at);
   return rest ? std::optional(placeOf(*point, *rest)[column - X]) : std::nullopt;
@@ -292,11 +298,12 @@ bool ConstraintTableModel::setCoordinate(const Rows& rows, int column, const QSt
     }
     PointConstraint* point = std::get_if<PointConstraint>(&constraint.what);
     const std::optional<Vector3> rest = point == nullptr ? std::nullopt : restPlace(editor_, point->at);
-    if (!rest) return std::nullopt;
+    if (!rest || !holds(*point, axis)) return std::nullopt;
     Vector3 place = placeOf(*point, *rest);
     if (hasSameBits(place[axis], *value)) return std::nullopt;
     place[axis] = *value;
-    return withTarget(constraint, place, editor_);
+    point->setTarget(place, [&](const SurfaceLocation& /*at*/) { return *rest; });
+    return constraint;
   });
   return true;
 }
