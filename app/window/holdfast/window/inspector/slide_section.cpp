@@ -52,8 +52,8 @@ class SlideSection : public GuideSection<SlideConstraint, &SlideConstraint::on> 
         [](SlideConstraint& slide, int axis, double number) { (**throughOf(slide))[axis] = number; });
     bindGuides("slide");
     bindChoice(
-        tr("&It"), "slideTogether", tr("Whether the plane or the line may shift"),
-        {tr("stays where it is"), tr("may shift as a whole")},
+        tr("Shifts"), "slideTogether", tr("Whether the plane or the line may shift"),
+        {tr("no, it stays where it is"), tr("yes, as a whole")},
         [](const SlideConstraint& slide) { return slide.together ? 1.0 : 0.0; },
         [this](int way) { chooseTogether(way == 1); });
   }
