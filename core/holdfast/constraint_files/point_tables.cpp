@@ -64,7 +64,10 @@ class RowReader {
     const bool hasTarget = std::any_of(format_.columns.begin() + kFirstTargetColumn, format_.columns.end(),
                                        [](const auto& column) { return column.has_value(); });
     const Vector3 target = hasTarget ? vectorOf(record, kFirstTargetColumn, row) : place;
-    if (row.fault.empty()) row.point = PointConstraint{AtNear{place}, Target{target}};
+    if (!row.fault.empty()) return row;
+    PointConstraint& point = row.point.emplace();
+    point.at = AtNear{place};
+    point.to = Target{target};
     return row;
   }
 
