@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 #include "support/plain_constraints.h"
@@ -32,60 +33,48 @@ double distance(const Place& a, const Place& b)
   return static_cast<double>(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
 }
 
-Place armBetween(const Place& a, const Place& b)
+using Arm = Eigen::Matrix<Real, 3, 1>;
+
+Arm armOf(const Place& place)
 {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  return {place[0], place[1], place[2]};
 }
 
-Real scalarProduct(const Place& a, const Place& b)
+/// The part of `arm` across a unit vector.
+Arm partAcross(const Arm& arm, const Arm& axis)
 {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Place unitAlong(const Place& a)
-{
-  const Real length = std::sqrt(scalarProduct(a, a));
-  return {a[0] / length, a[1] / length, a[2] / length};
-}
-
-/// The part of `a` across a unit vector.
-Place partAcross(const Place& a, const Place& axis)
-{
-  const Real along = scalarProduct(a, axis);
-  return {a[0] - along * axis[0], a[1] - along * axis[1], a[2] - along * axis[2]};
+  return arm - axis.dot(arm) * axis;
 }
 
 /// How far a place is from a plane or a line of a file that leads through `through` unless it says otherwise.
 double distanceFrom(const Json& on, const Place& through, const Place& place)
 {
   const Json& guide = on.begin().value();
-  const Place arm = armBetween(place, guide.contains("point") ? guide.at("point").get<Place>() : through);
-  if (on.contains("line")) return distance(partAcross(arm, unitAlong(guide.at("direction").get<Place>())), {});
+  const Arm arm = armOf(place) - armOf(guide.contains("point") ? guide.at("point").get<Place>() : through);
+  const auto direction = [&](const char* key) { return armOf(guide.at(key).get<Place>()).normalized(); };
+  if (on.contains("line")) return static_cast<double>(partAcross(arm, direction("direction")).norm());
   const Real offset = guide.value("offset", 0.0);
-  return static_cast<double>(std::abs(scalarProduct(arm, unitAlong(guide.at("normal").get<Place>())) - offset));
+  return static_cast<double>(std::abs(direction("normal").dot(arm) - offset));
 }
 
-/// The place that is farthest from `from`, across a unit vector or 0.
-Place farthest(const std::vector<Place>& places, const Place& from, const Place& axis)
+/// The longest of the arms from the first place, across a unit vector or 0.
+Arm longestArm(const std::vector<Place>& places, const Arm& axis)
 {
-  const auto square = [&](const Place& place) {
-    const Place arm = partAcross(armBetween(place, from), axis);
-    return scalarProduct(arm, arm);
-  };
-  return *std::max_element(places.begin(), places.end(),
-                           [&](const Place& a, const Place& b) { return square(a) < square(b); });
+  Arm longest = Arm::Zero();
+  for (const Place& place : places)
+    if (const Arm arm = partAcross(armOf(place) - armOf(places.front()), axis); arm.norm() > longest.norm())
+      longest = arm;
+  return longest;
 }
 
 /// The plane or the line, as in a file, that three or two of the places lie on and the others ought to.
 Json guideThrough(const std::vector<Place>& places, bool isPlane)
 {
-  const Place first = places.front();
-  const Place axis = unitAlong(armBetween(farthest(places, first, {}), first));
-  if (!isPlane) return {{"line", {{"point", first}, {"direction", axis}}}};
-  const Place second = partAcross(armBetween(farthest(places, first, axis), first), axis);
-  const Place normal{axis[1] * second[2] - axis[2] * second[1], axis[2] * second[0] - axis[0] * second[2],
-                     axis[0] * second[1] - axis[1] * second[0]};
-  return {{"plane", {{"point", first}, {"normal", normal}}}};
+  const auto json = [](const Arm& arm) { return Place{arm[0], arm[1], arm[2]}; };
+  const Arm axis = longestArm(places, Arm::Zero()).normalized();
+  if (!isPlane) return {{"line", {{"point", places.front()}, {"direction", json(axis)}}}};
+  const Arm normal = axis.cross(longestArm(places, axis).normalized());
+  return {{"plane", {{"point", places.front()}, {"normal", json(normal)}}}};
 }
 
 /// One run of `verify`.
@@ -171,7 +160,7 @@ class Verifier {
       guide.erase("offset");
       Place through = places.front();
       if (!guide.contains("point")) {
-        const Place arm = armBetween(placeOf(rest_, {{vertices[k], 1}}), placeOf(rest_, {{vertices.front(), 1}}));
+        const Arm arm = armOf(placeOf(rest_, {{vertices[k], 1}})) - armOf(placeOf(rest_, {{vertices.front(), 1}}));
         for (std::size_t i = 0; i < 3; ++i) through[i] += arm[i];
       }
       guide["point"] = through;

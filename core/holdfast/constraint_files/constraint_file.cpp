@@ -44,21 +44,20 @@ std::vector<Constraint> readConstraintArray(const JsonReader& json)
   return constraints;
 }
 
-/// The first version whose programs read this constraint.
-Index versionOf(const Constraint& constraint)
-{
-  if (const auto* const point = std::get_if<PointConstraint>(&constraint.what))
-    return point->directions().areAll() ? 1 : 2;
-  const bool isNew = std::holds_alternative<SlideConstraint>(constraint.what) ||
-                     std::holds_alternative<CoincidentConstraint>(constraint.what);
-  return isNew ? 2 : 1;
-}
+/// Tells the first version whose programs read a constraint.
+struct FirstVersion {
+  Index operator()(const PointConstraint& point) const { return point.directions().areAll() ? 1 : 2; }
+  Index operator()(const SlideConstraint& /*slide*/) const { return 2; }
+  Index operator()(const CoincidentConstraint& /*coincident*/) const { return 2; }
+  Index operator()(const auto& /*other*/) const { return 1; }
+};
 
 /// Files are of the first version that has all of their constraints, so that older programs read them.
 Index versionOf(const std::vector<Constraint>& constraints)
 {
   Index version = 1;
-  for (const Constraint& constraint : constraints) version = std::max(version, versionOf(constraint));
+  for (const Constraint& constraint : constraints)
+    version = std::max(version, std::visit(FirstVersion{}, constraint.what));
   return version;
 }
 

@@ -167,24 +167,23 @@ What readPoint(const JsonReader& json)
   return PointConstraint{readLocation(json["at"]), readGoal(json)};
 }
 
+decltype(SlideConstraint::on) readSlideGuide(const JsonReader& json)
+{
+  json.requireKeys(kGuides);
+  const std::string_view key = json.oneKeyOf(kGuides);
+  const bool isPlane = key == "plane";
+  const JsonReader guide = json[key];
+  if (!guide.isText() && isPlane) return readPlane(guide);
+  if (!guide.isText()) return readLine(guide);
+  static_cast<void>(guide.choice(kFits, "unknown way to find it {}"));
+  if (isPlane) return FittedPlane{};
+  return FittedLine{};
+}
+
 What readSlide(const JsonReader& json)
 {
-  SlideConstraint slide{readSelection(json["select"]), {}, json.has("together") && json["together"].boolean()};
-  const JsonReader on = json["on"];
-  on.requireKeys(kGuides);
-  const std::string_view guide = on.oneKeyOf(kGuides);
-  if (on[guide].isText()) {
-    static_cast<void>(on[guide].choice(kFits, "unknown way to find it {}"));
-    if (guide == "plane")
-      slide.on = FittedPlane{};
-    else
-      slide.on = FittedLine{};
-  } else if (guide == "plane") {
-    slide.on = readPlane(on[guide]);
-  } else {
-    slide.on = readLine(on[guide]);
-  }
-  return slide;
+  return SlideConstraint{readSelection(json["select"]), readSlideGuide(json["on"]),
+                         json.has("together") && json["together"].boolean()};
 }
 
 What readCoincident(const JsonReader& json)

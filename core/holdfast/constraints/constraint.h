@@ -95,7 +95,7 @@ struct Move {
   [[nodiscard]] static RowDirections directions() { return {}; }
 };
 
-/// One or two coordinates of a point are prescribed, in model units. The point is free to move along the others.
+/// A point keeps to one or two coordinates, in model units, and is free to move along the others.
 struct Coordinates {
   std::array<std::optional<double>, 3> values;
 

@@ -172,9 +172,7 @@ class SystemBuilder {
   void add(const RigidConstraint& /*rigid*/)
   {
     if (!isEnabled()) return;
-    std::vector<Index> group(selected_[current_].begin(), selected_[current_].end());
-    for (Index& v : group) v = solverMesh_.weld.unknownOf[v];
-    group = sortedOnce(std::move(group));
+    std::vector<Index> group = unknownsOfSelection();
     const SurfacePoint reference{{{group.front(), 1.0}}};
     for (const Index u : group)
       if (u != group.front()) addRotatedVector(RowKind::Region, {{{u, 1.0}}}, reference, reference.terms);
@@ -201,9 +199,7 @@ class SystemBuilder {
   void add(const SlideConstraint& slide)
   {
     if (!isEnabled()) return;
-    std::vector<Index> unknowns(selected_[current_].begin(), selected_[current_].end());
-    for (Index& v : unknowns) v = solverMesh_.weld.unknownOf[v];
-    unknowns = sortedOnce(std::move(unknowns));
+    const std::vector<Index> unknowns = unknownsOfSelection();
     const Guide guide = guideOf(slide, unknowns);
     const RowDirections directions = std::visit([](const auto& on) { return on.directions(); }, guide);
     requireDirection(directions);
@@ -229,14 +225,7 @@ class SystemBuilder {
 
   void add(const CoincidentConstraint& coincident)
   {
-    const SurfacePoint fromVertices = located(coincident.from, ".from");
-    const SurfacePoint toVertices = located(coincident.to, ".to");
-    if (!isEnabled()) return;
-    addNearPlace(coincident.from, nearness(coincident.from, fromVertices));
-    addNearPlace(coincident.to, nearness(coincident.to, toVertices));
-    const SurfacePoint from = overUnknowns(fromVertices);
-    const SurfacePoint to = overUnknowns(toVertices);
-    system_.rows.push_back({difference(from, to), Vector3::Zero(), -restVector(from, to), current_, RowKind::Relative});
+    add(RelativeConstraint{coincident.from, coincident.to, Vector3(Vector3::Zero())});
   }
 
   using Guide = std::variant<OnPlane, OnLine>;
@@ -255,6 +244,14 @@ class SystemBuilder {
     throw InputError(key(".on.plane"),
                      "its vertices lie near no one plane, but on a line, in one place or all around; give a normal in "
                      "place of \"fit\"");
+  }
+
+  /// Ascending, each once.
+  [[nodiscard]] std::vector<Index> unknownsOfSelection() const
+  {
+    std::vector<Index> unknowns(selected_[current_].begin(), selected_[current_].end());
+    for (Index& v : unknowns) v = solverMesh_.weld.unknownOf[v];
+    return sortedOnce(std::move(unknowns));
   }
 
   [[nodiscard]] Positions restOf(std::span<const Index> vertices) const { return rest_(vertices, Eigen::all); }

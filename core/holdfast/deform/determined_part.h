@@ -20,8 +20,7 @@ struct DeterminedPart {
 ///
 /// Where this bound exceeds 1e-12 the error is measured. `solvers` take off what is left of the rows at `u`, and the
 /// size of that step counts. `targets` are those of the diagnosis; what they reconcile is met too. Targets of rows are
-/// taken as they are stated. O(terms), and
-/// beyond the bound the cost of `ConstrainedSolver::meet`.
+/// taken as they are stated. O(terms), and beyond the bound the cost of `ConstrainedSolver::meet`.
 [[nodiscard]] DeterminedPart determinedPart(const ConstraintSystem& system, const std::vector<double>& sensitivities,
                                             const AxisSolvers& solvers, const std::vector<RowTargets>& targets,
                                             const Columns3& u);

@@ -129,9 +129,14 @@ class FrameSolver {
   SolvedDisplacement movedBy(const AxisSolvers& solvers)
   {
     std::vector<SolvedDisplacement> parts;
+    Columns3 whole;  // f, made once for all parts that need it
+    const auto along = [&](std::size_t k) {
+      if (whole.rows() == 0) whole = makeF();
+      return by_.eliminated->along(k, by_.moved.size() == 1 ? std::move(whole) : whole);
+    };
     for (std::size_t k = 0; k < by_.moved.size(); ++k)
       parts.push_back(by_.moved[k].solve(solvers.of(k), details_->diagnosis.targets[k], result_.rotations,
-                                         [&] { return by_.eliminated->along(k, makeF()); }));
+                                         [&] { return along(k); }));
     if (parts.size() == 1) return std::move(parts.front());
     std::vector<Displacement> displacements;
     std::vector<Columns3> f;

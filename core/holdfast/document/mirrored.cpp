@@ -36,14 +36,11 @@ class Mirror {
 
   void mirror(RelativeConstraint& relative)
   {
-    for (SurfaceLocation* at : {&relative.from, &relative.to}) *at = AtNear{reflected(restOf(*at))};
+    mirrorEnds(relative);
     if (relative.offset) reflectVector(*relative.offset);
   }
 
-  void mirror(CoincidentConstraint& coincident)
-  {
-    for (SurfaceLocation* at : {&coincident.from, &coincident.to}) *at = AtNear{reflected(restOf(*at))};
-  }
+  void mirror(CoincidentConstraint& coincident) { mirrorEnds(coincident); }
 
   void mirror(SlideConstraint& slide)
   {
@@ -63,6 +60,11 @@ class Mirror {
   }
 
  private:
+  void mirrorEnds(auto& what) const
+  {
+    for (SurfaceLocation* at : {&what.from, &what.to}) *at = AtNear{reflected(restOf(*at))};
+  }
+
   [[nodiscard]] Vector3 reflected(const Vector3& place) const
   {
     return place - 2 * plane_.normal.dot(place - plane_.point) * plane_.normal;

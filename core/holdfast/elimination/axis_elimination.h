@@ -51,7 +51,7 @@ class EliminatedByAxes {
   /// Returns the part of `values` (n x 3, model coordinates) along the axes of part `k`, by coordinates of the frame.
   [[nodiscard]] Columns3 along(std::size_t k, Columns3 values) const;
 
-  /// Returns the sum of what was found for all parts (n x 3 each, coordinates of the frame) in model coordinates.
+  /// Adds up the solutions of all parts (n x 3 each, coordinates of the frame). Returns the sum in model coordinates.
   [[nodiscard]] Columns3 joined(std::vector<Columns3> ofParts) const;
 
   /// Returns `Elimination::sensitivities` of all rows. A row that holds along axes of several parts has the largest.

@@ -24,7 +24,7 @@ struct DependentRow {
   bool isConflicting = false;  ///< along the axes of this dependency
 };
 
-/// What a solver is asked for the rows of its elimination.
+/// A solver meets these targets of the rows of its elimination.
 struct RowTargets {
   Columns3 shifts;                ///< d of B u = d, for every row
   std::vector<Index> reconciled;  ///< the redundant rows that the independent ones alone would miss, and those that
@@ -54,9 +54,8 @@ inline constexpr double kPromisedResidual = 1e-12;
 /// Three stored places, their weighted sum and its target can come to so much rounding.
 inline constexpr double kPromisedSpacings = 8;
 
-/// A dependent row agrees with its terms when small changes of what each of them asks for close its gap. A change is
-/// small up to this share of the term's limit; the rest is left to rounding. Pins are not changed, because they are
-/// copied.
+/// A dependent row agrees with its terms if small changes of their targets close its gap. A change is small up to this
+/// share of the term's limit; the rest is left to rounding. Pins do not change, because the solution copies them.
 inline constexpr double kConsistentShare = 0.5;
 
 /// Returns the largest residual with which each row is met, in model units. It is `kPromisedResidual` of the diagonal

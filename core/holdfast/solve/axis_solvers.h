@@ -9,7 +9,7 @@
 
 namespace holdfast {
 
-/// What the solvers of all sets of axes are made of.
+/// The problem that the solvers of all sets of axes share.
 struct AxisProblem {
   std::shared_ptr<const EnergyMatrix> A;  ///< weighted rows, n x n
   std::shared_ptr<const EliminatedByAxes> eliminated;

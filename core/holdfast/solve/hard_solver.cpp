@@ -205,7 +205,7 @@ OwnSolver hardSolver(ConstrainedProblem problem, Backend backend, SparseMatrix Q
   return {std::make_unique<HardSolver>(std::move(problem), std::move(reduced.value))};
 }
 
-/// By a basis of what all rows leave free.
+/// Makes a solver whose basis spans what all rows leave free.
 OwnSolver solverByWholeQ2(ConstrainedProblem problem, Backend backend)
 {
   SparseMatrix Q2 = problem.eliminated->elimination.wholeQ2();

@@ -109,13 +109,6 @@ class DisabledMarks {
     return ofSelection(slide.select, MarkKind::Selection, place);
   }
 
-  std::vector<ConstraintMark> marksOf(const CoincidentConstraint& coincident, Index place)
-  {
-    ConstraintMark mark = markAt(located(coincident.from), MarkKind::Relative, place);
-    mark.other = positionOf(located(coincident.to), positions_);
-    return {mark};
-  }
-
   std::vector<ConstraintMark> marksOf(const PointConstraint& point, Index place)
   {
     const SurfacePoint at = located(point.at);
@@ -126,8 +119,18 @@ class DisabledMarks {
 
   std::vector<ConstraintMark> marksOf(const RelativeConstraint& relative, Index place)
   {
-    ConstraintMark mark = markAt(located(relative.from), MarkKind::Relative, place);
-    mark.other = positionOf(located(relative.to), positions_);
+    return ofEnds(relative, place);
+  }
+
+  std::vector<ConstraintMark> marksOf(const CoincidentConstraint& coincident, Index place)
+  {
+    return ofEnds(coincident, place);
+  }
+
+  std::vector<ConstraintMark> ofEnds(const auto& what, Index place) const
+  {
+    ConstraintMark mark = markAt(located(what.from), MarkKind::Relative, place);
+    mark.other = positionOf(located(what.to), positions_);
     return {mark};
   }
 

@@ -35,7 +35,7 @@ QString bundledFile(const QString& path)
 QString ownFolderBeside(const QString& file)
 {
   const QFileInfo folder(QFileInfo(file).path());
-  // The user is told of a folder that is not there any more.
+  // Where the folder is gone, saving there says so to the user.
   const bool isForAll = folder.exists() && (!folder.isWritable() || isBundled(folder.canonicalFilePath()));
   if (!isForAll) return folder.filePath();
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);

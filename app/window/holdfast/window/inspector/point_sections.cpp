@@ -238,11 +238,15 @@ class TargetSection : public GuideSection<PointConstraint, &PointConstraint::to>
         {tr("to a place"), tr("by a shift from rest"), tr("to single coordinates"), tr("on a plane"), tr("on a line")},
         [](const PointConstraint& point) { return static_cast<double>(point.to.index()); },
         [this](int way) { chooseWay(static_cast<Way>(way)); });
-    bindVector(
+    VectorEdit* place = bindVector(
         tr("Ta&rget"), "targetPlace", [this](const PointConstraint& point) { return placeOfGoal(point); },
         tr("move %1 to %2 = %3"),
         [this](PointConstraint& point, int axis, double number) { setPlace(point, axis, number); },
         WithoutValue::Shown);
+    addRefresh([=, this] {
+      PointConstraint point = what();
+      titleOf(place).setText(throughOf(point) == nullptr ? tr("Ta&rget") : tr("Th&rough"));
+    });
     bindVector(
         tr("Sh&ift"), "targetShift",
         [](const PointConstraint& point) {
