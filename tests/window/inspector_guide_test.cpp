@@ -1,5 +1,9 @@
 // Points and selections that are free along some directions, in the inspector.
 
+#include <QApplication>
+#include <QScrollArea>
+#include <QScrollBar>
+
 #include "inspected_sheet.h"
 
 namespace holdfast {
@@ -69,6 +73,18 @@ TEST_F(InspectorOfGuides, ADirectionIsNeverZero)
   typeInto("targetDirectionZ", "0");
   EXPECT_NE(refusal().find("a direction cannot be zero"), std::string::npos) << refusal();
   EXPECT_EQ(editor.history().state(), before);
+}
+
+TEST_F(InspectorOfGuides, NoSectionOfANarrowPanelScrollsSideways)
+{
+  panel.resize(334, 700);
+  auto& page = *panel.findChild<QScrollArea*>();
+  for (Index k = kBase; k <= kPair; ++k) {
+    editor.selectConstraints({k});
+    QApplication::processEvents();
+    ASSERT_TRUE(page.isVisible());
+    EXPECT_EQ(page.horizontalScrollBar()->maximum(), 0) << editor.list().constraints[k].name;
+  }
 }
 
 class InspectorOfSlides : public test::InspectedSheet {

@@ -186,6 +186,8 @@ class SectionOf : public InspectorSection {
   {
     auto* field = named(new QComboBox(this), name, spoken);
     field->addItems(choices);
+    // Else its longest entry would make narrow panels scroll sideways.
+    field->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     connect(field, qOverload<int>(&QComboBox::activated), this, [this, choose](int choice) {
       choose(choice);
       refresh();
