@@ -92,7 +92,7 @@ void setEnvironment(int argc, char** argv, char** environment)
 }
 
 // Runs before the constructors of all libraries.
-[[gnu::section(".preinit_array"), gnu::used]] void (*const beforeLibraries)(int, char**, char**) = setEnvironment;
+[[gnu::section(".preinit_array"), gnu::used]] void (*const kBeforeLibraries)(int, char**, char**) = setEnvironment;
 
 }  // namespace
 }  // namespace holdfast::batch

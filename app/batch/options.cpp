@@ -16,11 +16,11 @@ namespace holdfast::batch {
 namespace {
 
 /// An option that a session may state as well.
-template <class Value, std::size_t count>
+template <class Value, std::size_t Count>
 void addChoice(CLI::App& command, const std::string& option, std::optional<Value>& chosen,
-               const std::array<Value, count>& values, Value otherwise)
+               const std::array<Value, Count>& values, Value otherwise)
 {
-  std::array<std::string_view, count> names;
+  std::array<std::string_view, Count> names;
   std::transform(values.begin(), values.end(), names.begin(), [](Value value) { return name(value); });
   const auto choose = [=, &chosen](const std::string& text) {
     std::vector<std::string_view> offered;

@@ -119,10 +119,10 @@ Result<ReducedProblem> reduced(const Bumpy& bumpy, const SparseMatrix& Q2, const
                             EliminationOrder::OfColumns);
 }
 
-template <std::optional<SparseMatrix> (*kQ2)(const PointRows&)>
+template <std::optional<SparseMatrix> (*Q2Of)(const PointRows&)>
 std::optional<Result<ReducedProblem>> eliminated(const Bumpy& bumpy, const PointRows& points)
 {
-  const std::optional<SparseMatrix> Q2 = kQ2(points);
+  const std::optional<SparseMatrix> Q2 = Q2Of(points);
   if (!Q2) return std::nullopt;
   return reduced(bumpy, product(points.F, *Q2), SparseMatrix(0, points.F.rows()), RowsBelow::Kept);
 }

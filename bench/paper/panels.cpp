@@ -134,8 +134,10 @@ Picture tiled(const std::vector<Picture>& pictures, int columns)
     for (int y = 0; y < one.height; ++y) {
       const int row = one.height * (rows - 1 - k / columns) + y;
       const auto from = pictures[k].pixels.begin() + static_cast<std::ptrdiff_t>(kChannels) * one.width * y;
-      const std::size_t to = kChannels * (static_cast<std::size_t>(whole.size.width) * row + one.width * (k % columns));
-      std::copy_n(from, kChannels * one.width, whole.pixels.begin() + static_cast<std::ptrdiff_t>(to));
+      const std::size_t to = kChannels * (static_cast<std::size_t>(whole.size.width) * row +
+                                          static_cast<std::size_t>(one.width) * (k % columns));
+      std::copy_n(from, static_cast<std::ptrdiff_t>(kChannels) * one.width,
+                  whole.pixels.begin() + static_cast<std::ptrdiff_t>(to));
     }
   return whole;
 }

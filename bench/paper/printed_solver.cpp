@@ -150,7 +150,7 @@ Attempt<Scalar> softPositions(const BentMesh& bent, const Printed<Scalar>& probl
   const Matrix<Scalar> M = stacked<Scalar>(problem.A * S, w * (problem.B * S));
   Columns<Scalar> b(M.rows(), 3);
   b << problem.c, w * problem.d;
-  const auto x = normalSolution(M, b);
+  auto x = normalSolution(M, b);
   if (!x) return x;
   return {problem.rest + S * (x.value - S.transpose() * problem.rest)};
 }
@@ -163,7 +163,7 @@ Attempt<Scalar> hardPositions(const BentMesh& bent, const Printed<Scalar>& probl
   const Matrix<Scalar> Q2 = orderedColumns(elimination.wholeQ2(), bent.ranks).cast<Scalar>();
   const Columns<Scalar> particular = elimination.particular(problem.d.template cast<double>()).template cast<Scalar>();
   const Matrix<Scalar> M = problem.A * Q2;
-  const auto z = normalSolution(M, Columns<Scalar>(problem.c - problem.A * particular));
+  auto z = normalSolution(M, Columns<Scalar>(problem.c - problem.A * particular));
   if (!z) return z;
   const Matrix<Scalar> S = freeColumns(bent).cast<Scalar>();
   return {problem.rest + S * (S.transpose() * Columns<Scalar>(particular + Q2 * z.value - problem.rest))};
@@ -186,7 +186,7 @@ Attempt<Scalar> lagrangePositions(const BentMesh& bent, const Printed<Scalar>& p
   });
   Columns<Scalar> b(K.rows(), 3);
   b << A.transpose() * problem.c, problem.d;
-  const auto x = luSolution(K, b);
+  auto x = luSolution(K, b);
   if (!x) return x;
   return {problem.rest + S * (x.value.topRows(k) - S.transpose() * problem.rest)};
 }

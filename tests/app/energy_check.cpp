@@ -39,7 +39,7 @@ Columns3 rotationsOf(const Model& model, const std::filesystem::path& constraint
   const ConstraintSystem system = makeConstraintSystem(readConstraints(constraints), model.mesh, model.solverMesh,
                                                        model.locator(), constraints.string());
   NoProgress progress;
-  return RotationFactorization(model.solverMesh, operators, Backend::Holdfast).solve(system, progress).q;
+  return RotationFactorization(model.solverMesh, std::move(operators), Backend::Holdfast).solve(system, progress).q;
 }
 
 /// The weighted difference of the turned detail and the detail, with lengths in diagonals.

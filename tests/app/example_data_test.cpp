@@ -34,7 +34,7 @@ std::vector<std::string> constraintFiles()
 fs::path meshOf(const std::string& file)
 {
   for (const char* extension : {".obj", ".off", ".ply", ".stl"})
-    if (const fs::path mesh = fs::path(dataFolder()) / (file.substr(0, file.find('.')) + extension); fs::exists(mesh))
+    if (fs::path mesh = fs::path(dataFolder()) / (file.substr(0, file.find('.')) + extension); fs::exists(mesh))
       return mesh;
   return {};
 }
@@ -79,7 +79,7 @@ TEST_P(ExampleData, IsMet)
   ASSERT_EQ(result.exitCode, hasConflicts ? 4 : 0) << result.err;
 
   const Json report = Json::parse(bytesOf(reportFile));
-  EXPECT_TRUE(isReport(report, SolveState::kSolved));
+  EXPECT_TRUE(isReport(report, SolveState::Solved));
   EXPECT_EQ(report["result"]["status"], "fine") << report["result"];
   const std::set<std::string> leftOut = conflicting(report);
   EXPECT_EQ(leftOut.empty(), !hasConflicts);

@@ -94,7 +94,7 @@ class Generator {
   }
 
  private:
-  enum class Kind { kVertex, kEdge, kFace };
+  enum class Kind { Vertex, Edge, Face };
 
   void addEnds()
   {
@@ -137,12 +137,12 @@ class Generator {
     if (*fewest == limit_) return;
     const auto kind = static_cast<Kind>(fewest - counts_.begin());
     const std::vector<long>& corners = mesh_.faces[face];
-    const std::size_t needed = kind == Kind::kVertex ? 1 : kind == Kind::kEdge ? 2 : corners.size();
+    const std::size_t needed = kind == Kind::Vertex ? 1 : kind == Kind::Edge ? 2 : corners.size();
     if (!take({corners.data(), needed})) return;
     ++*fewest;
-    if (kind == Kind::kVertex) addVertex(corners[0]);
-    if (kind == Kind::kEdge) addEdge(corners[0], corners[1]);
-    if (kind == Kind::kFace) addFace(face);
+    if (kind == Kind::Vertex) addVertex(corners[0]);
+    if (kind == Kind::Edge) addEdge(corners[0], corners[1]);
+    if (kind == Kind::Face) addFace(face);
   }
 
   /// Takes the places of these vertices if none of them is taken and no two are the same.

@@ -72,7 +72,7 @@ void GeneratedTask::expectMet(Weights weights, const ProcessResult& result) cons
                                 << result.err;
   const Json report = this->report(weights);
   print(mesh_.filename().string(), result, report["solve"]);
-  EXPECT_TRUE(isReport(report, SolveState::kSolved));
+  EXPECT_TRUE(isReport(report, SolveState::Solved));
   EXPECT_EQ(report["solve"]["status"], "ok");
   EXPECT_LE(report["solve"]["max_residual_relative"], kPromisedResidual);
   EXPECT_TRUE(meetsConstraints(mesh_, out(weights), constraints_));
@@ -109,7 +109,7 @@ void GeneratedTask::expectSolvedOrRefused(Weights weights) const
   const Json report = this->report(weights);
   print(mesh_.filename().string(), result, report["solve"]);
   std::cout << "  " << report["solve"]["message"].get<std::string>() << "\n";
-  EXPECT_TRUE(isReport(report, SolveState::kFailed));
+  EXPECT_TRUE(isReport(report, SolveState::Failed));
   EXPECT_THAT(report["solve"]["message"].get<std::string>(), testing::HasSubstr("\"cotangent\""));
   EXPECT_FALSE(fs::exists(out(weights)));
 }

@@ -53,7 +53,7 @@ TEST_F(Outcome, MetConstraintsAreReportedAsMet)
 {
   EXPECT_EQ(runBatch(deform(mesh(), constraints())).exitCode, 0);
   const Json report = this->report();
-  EXPECT_TRUE(isReport(report, SolveState::kSolved));
+  EXPECT_TRUE(isReport(report, SolveState::Solved));
   EXPECT_EQ(report["mesh"]["vertices"], 162);
   EXPECT_EQ(report["mesh"]["faces"], 320);
   EXPECT_EQ(report["mesh"]["components"], 1);
@@ -76,7 +76,7 @@ TEST_F(Outcome, EverySolverAndWeightIsReportedByItsName)
       SCOPED_TRACE(testing::Message() << option << " " << value);
       const ProcessResult result = runBatch(deform(mesh(), constraints(), {option, value}));
       EXPECT_EQ(result.exitCode, 0) << result.err;
-      EXPECT_TRUE(isReport(report(), SolveState::kSolved));
+      EXPECT_TRUE(isReport(report(), SolveState::Solved));
       EXPECT_EQ(report()["solve"][option.substr(2)], value);
     }
 }
@@ -192,7 +192,7 @@ TEST_F(ConflictingConstraints, AreFoundByCheckToo)
   expectConflictsOnStandardError(
       runBatch({"check", mesh(), "--constraints", conflicts(), "--report", output("report.json")}));
   EXPECT_THAT(out_.names(), ElementsAre("report.json"));
-  EXPECT_TRUE(isReport(report(), SolveState::kNotRun));
+  EXPECT_TRUE(isReport(report(), SolveState::NotRun));
   expectStatuses({"independent", "independent", "redundant", "conflicting", "conflicting", "disabled"});
 }
 
@@ -208,7 +208,7 @@ TEST_F(ConflictingConstraints, AreReportedWithPartnersAndGap)
 {
   EXPECT_EQ(runBatch(deform(mesh(), conflicts())).exitCode, kConflicts);
   const Json report = this->report();
-  EXPECT_TRUE(isReport(report, SolveState::kSolved));
+  EXPECT_TRUE(isReport(report, SolveState::Solved));
   EXPECT_EQ(report["solve"]["status"], "conflicts");
   const Json& list = report["constraints"];
   expectStatuses({"met", "met", "redundant", "conflicting", "conflicting", "disabled"});
@@ -300,7 +300,7 @@ TEST_F(FailedNumerics, LeaveAReportWithTheReasonAndNoMesh)
   EXPECT_THAT(result.err,
               HasSubstr("; use the weights \"cotangent\", which are guarded against that, or repair those faces\n"));
   EXPECT_THAT(out_.names(), ElementsAre("report.json"));
-  EXPECT_TRUE(isReport(report(), SolveState::kFailed));
+  EXPECT_TRUE(isReport(report(), SolveState::Failed));
   expectStatuses({"independent", "independent"});
   EXPECT_THAT(result.out, HasSubstr(", 2 independent\n"));
   EXPECT_THAT(result.err, HasSubstr(report()["solve"]["message"].get<std::string>()));
@@ -338,7 +338,7 @@ TEST_F(FailedNumerics, NameConstraintsThatAreTooCloseToTellApart)
   EXPECT_THAT(result.err, testing::ContainsRegex("error: \"[AB]\" is missed by [^ ]*, more than its limit"));
   EXPECT_THAT(result.err, HasSubstr("leave one of them out, or move them apart"));
   EXPECT_THAT(out_.names(), ElementsAre("report.json"));
-  EXPECT_TRUE(isReport(report(), SolveState::kFailed));
+  EXPECT_TRUE(isReport(report(), SolveState::Failed));
   expectStatuses({"independent", "independent", "independent"});
 }
 
@@ -356,10 +356,10 @@ TEST_F(FailedNumerics, OfTheRotationFieldAreFoundByCheckToo)
   EXPECT_EQ(result.exitCode, kNumerical) << result.err;
   EXPECT_THAT(result.err, HasSubstr("error: the rotation field cannot be solved: the weight of the edge"));
   EXPECT_THAT(result.out, HasSubstr("solve        failed: the rotation field cannot be solved"));
-  EXPECT_TRUE(isReport(report(), SolveState::kFailed));
+  EXPECT_TRUE(isReport(report(), SolveState::Failed));
   EXPECT_EQ(report()["solve"]["weights"], "cotangent-paper");
   EXPECT_EQ(runBatch(check).exitCode, 0) << "guarded weights";
-  EXPECT_TRUE(isReport(report(), SolveState::kNotRun));
+  EXPECT_TRUE(isReport(report(), SolveState::NotRun));
 }
 
 TEST_F(Outcome, RotationsThatDisagreeInARigidRegionAreToldOfWithTheirConstraints)
@@ -435,14 +435,14 @@ TEST_F(Outcome, CheckTellsOfMeshAndConstraintsAndSolvesNothing)
   EXPECT_EQ(result.exitCode, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("162 vertices, 320 faces"));
   EXPECT_THAT(result.out, Not(HasSubstr("solve ")));
-  EXPECT_TRUE(isReport(report(), SolveState::kNotRun));
+  EXPECT_TRUE(isReport(report(), SolveState::NotRun));
   EXPECT_EQ(report()["constraints"].size(), 3U);
 }
 
 TEST_F(Outcome, CheckOfAMeshAloneReportsNoConstraints)
 {
   EXPECT_EQ(runBatch({"check", mesh(), "--report", output("report.json")}).exitCode, 0);
-  EXPECT_TRUE(isReport(report(), SolveState::kNotRun));
+  EXPECT_TRUE(isReport(report(), SolveState::NotRun));
   EXPECT_EQ(report()["constraints"], Json::array());
 }
 

@@ -8,7 +8,7 @@
 namespace holdfast::test {
 
 /// How far the run came that made the report; what was not computed is null.
-enum class SolveState { kSolved, kFailed, kNotRun };
+enum class SolveState { Solved, Failed, NotRun };
 
 /// Tells whether `report` has every key of the format with a value of its type and range, and no value outside what the
 /// format lists.

@@ -55,8 +55,8 @@ long locksDestroyedWhileHeld()
 extern "C" __attribute__((visibility("default"))) int pthread_cond_broadcast(pthread_cond_t* condition) noexcept
 {
   using namespace holdfast::test;
-  static auto* const broadcast = systemFunction<int(pthread_cond_t*)>("pthread_cond_broadcast");
-  const int result = broadcast(condition);
+  static auto* const kBroadcast = systemFunction<int(pthread_cond_t*)>("pthread_cond_broadcast");
+  const int result = kBroadcast(condition);
   const std::chrono::microseconds time = heldUpFor;
   if (time.count() > 0 && isDrawingThread()) {
     ++heldUp;
@@ -68,11 +68,11 @@ extern "C" __attribute__((visibility("default"))) int pthread_cond_broadcast(pth
 extern "C" __attribute__((visibility("default"))) int pthread_mutex_destroy(pthread_mutex_t* mutex) noexcept
 {
   using namespace holdfast::test;
-  static auto* const destroy = systemFunction<int(pthread_mutex_t*)>("pthread_mutex_destroy");
-  const int result = destroy(mutex);
+  static auto* const kDestroy = systemFunction<int(pthread_mutex_t*)>("pthread_mutex_destroy");
+  const int result = kDestroy(mutex);
   if (result != EBUSY) return result;
   ++destroyedWhileHeld;
   ::pthread_mutex_lock(mutex);
   ::pthread_mutex_unlock(mutex);
-  return destroy(mutex);
+  return kDestroy(mutex);
 }

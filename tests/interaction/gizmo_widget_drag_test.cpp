@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <vtkInteractorEventRecorder.h>
 
+#include <holdfast/numbers/same_bits.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/interaction/vtkHoldfastSurfaceCameraStyle.h>
 
@@ -96,8 +96,10 @@ GizmoFrame awkwardFrame()
 
 bool hasBitsOf(const GizmoFrame& a, const GizmoFrame& b)
 {
-  return std::memcmp(a.center.data(), b.center.data(), sizeof(double) * 3) == 0 &&
-         std::memcmp(a.axes.data(), b.axes.data(), sizeof(double) * 9) == 0;
+  bool isSame = true;
+  for (Index k = 0; k < 3; ++k) isSame = isSame && hasSameBits(a.center[k], b.center[k]);
+  for (Index k = 0; k < 9; ++k) isSame = isSame && hasSameBits(a.axes(k), b.axes(k));
+  return isSame;
 }
 
 TEST_F(GizmoHandled, EscapeBringsTheFrameBackBitForBit)

@@ -27,7 +27,8 @@ std::vector<Index> gridBall(double x, double y, double radius)
 {
   std::vector<Index> vertices;
   for (Index v = 0; v < 99; ++v)
-    if (std::hypot(static_cast<double>(v % 11) - x, static_cast<double>(v / 11) - y) <= radius) vertices.push_back(v);
+    if (std::hypot(static_cast<double>(v % 11) - x, std::floor(static_cast<double>(v) / 11) - y) <= radius)
+      vertices.push_back(v);
   return vertices;
 }
 

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -35,7 +36,7 @@ class FacesDrawn {
     vtkNew<vtkUnsignedCharArray> colors;
     colors->SetNumberOfComponents(3);
     for (Index f = 1; f <= model.mesh.faces.size(); ++f)
-      colors->InsertNextTuple3(static_cast<double>(f / 256), static_cast<double>(f % 256), 0);
+      colors->InsertNextTuple3(std::floor(static_cast<double>(f) / 256), static_cast<double>(f % 256), 0);
     data->GetCellData()->SetScalars(colors);
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(data);

@@ -98,7 +98,7 @@ class CutScene {
 
   Model model_;
   test::OffscreenWindow window_{{kCutWidth, kCutHeight}};
-  vtkRenderer* const renderer_ = &window_.renderer();
+  vtkRenderer* renderer_ = &window_.renderer();
   std::vector<unsigned char> background_;
   std::optional<SlicedDrawing> slices_;
 
@@ -112,7 +112,7 @@ int differing(const std::vector<unsigned char>& a, const std::vector<unsigned ch
   int count = 0;
   for (int y = 0; y < kCutHeight; ++y)
     for (int x = first; x < last; ++x) {
-      const auto at = static_cast<std::size_t>(3 * (y * kCutWidth + x));
+      const auto at = 3 * (static_cast<std::size_t>(y) * kCutWidth + x);
       count += a[at] != b[at] || a[at + 1] != b[at + 1] || a[at + 2] != b[at + 2] ? 1 : 0;
     }
   return count;

@@ -43,7 +43,7 @@ FileChooser FilesWindow::chooser()
   return [this](QWidget*, const FileQuestion& question) {
     questions.push_back(question);
     if (answers.empty()) return QString();
-    const QString answer = QString::fromStdString(answers.front().string());
+    QString answer = QString::fromStdString(answers.front().string());
     answers.erase(answers.begin());
     return answer;
   };

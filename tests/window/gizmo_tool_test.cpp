@@ -23,18 +23,9 @@
 namespace holdfast {
 namespace {
 
-/// The bracket with its measured points, of which one is selected.
-class GizmoOnPoint : public test::OpenWindow {
+/// What is said of the constraint that is selected.
+class GizmoInWindow : public test::OpenWindow {
  protected:
-  void SetUp() override
-  {
-    OpenWindow::SetUp();
-    open("bracket.obj", "bracket.constraints.json");
-    point = *indexOf(list(), "flange east");
-    editor().selectConstraints({point});
-    ASSERT_TRUE(settle());
-  }
-
   [[nodiscard]] Vector3 target()
   {
     return std::get<Target>(std::get<PointConstraint>(list().constraints[point].what).to).place;
@@ -48,6 +39,19 @@ class GizmoOnPoint : public test::OpenWindow {
   }
 
   Index point = 0;
+};
+
+/// The bracket with its measured points, of which one is selected.
+class GizmoOnPoint : public GizmoInWindow {
+ protected:
+  void SetUp() override
+  {
+    OpenWindow::SetUp();
+    open("bracket.obj", "bracket.constraints.json");
+    point = *indexOf(list(), "flange east");
+    editor().selectConstraints({point});
+    ASSERT_TRUE(settle());
+  }
 };
 
 TEST_F(GizmoOnPoint, AnArrowMovesTheTargetAlongItsAxisAlone)
@@ -202,7 +206,7 @@ TEST_F(GizmoOnPoint, NothingStandsWhereNothingIsSelected)
 }
 
 /// The bar with a handle at its end.
-class GizmoOnHandle : public GizmoOnPoint {
+class GizmoOnHandle : public GizmoInWindow {
  protected:
   void SetUp() override
   {

@@ -22,7 +22,7 @@ class Welding : public test::WindowUser {
   void SetUp() override
   {
     WindowUser::SetUp();
-    const std::filesystem::path path = folder_.path() / "seam.off";
+    const std::filesystem::path path = folder.path() / "seam.off";
     std::ofstream(path) << "OFF\n8 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1.000000001 0 0\n2 0 0\n2 1 0\n1.000000001 1 0\n"
                            "4 0 1 2 3\n4 4 5 6 7\n";
     window.files().open(QString::fromStdString(path.string()));
@@ -52,7 +52,7 @@ class Welding : public test::WindowUser {
   [[nodiscard]] QLineEdit& weld() { return find<QLineEdit>("reportWeld"); }
   [[nodiscard]] double openBy() { return (editor().positions().row(2) - editor().positions().row(7)).norm(); }
 
-  test::TemporaryFolder folder_;
+  test::TemporaryFolder folder;
 };
 
 TEST_F(Welding, ClosesASeamAndUndoOpensIt)

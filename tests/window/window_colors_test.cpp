@@ -73,7 +73,7 @@ class ColorsOfBar : public test::WindowUser {
     test::pressMouse(viewport(), {5, 5}, Qt::MiddleButton);
     viewport().scheduleRender();
     EXPECT_TRUE(settle());
-    const QImage image = viewport().grab().toImage().convertToFormat(QImage::Format_RGB32);
+    QImage image = viewport().grab().toImage().convertToFormat(QImage::Format_RGB32);
     test::releaseMouse(viewport(), {5, 5}, Qt::MiddleButton);
     overlay.show();
     return image;

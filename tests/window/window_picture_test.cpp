@@ -246,7 +246,7 @@ TEST_F(PictureOfBar, WhatHasChangedOverThePictureIsOnTheScreen)
         .toImage();
   };
   const auto expectCurrent = [&](const char* what) {
-    const QImage shown = onScreen();
+    QImage shown = onScreen();
     overlay.update();
     EXPECT_EQ(shown, onScreen()) << what;
     return shown;

@@ -76,6 +76,7 @@ std::optional<Eigen::Matrix3d> commonFrame(const std::vector<ConstraintRow>& row
   const auto [firsts, atOdds] = rowsOfAxes(rows);
   if (atOdds) return std::nullopt;
   std::vector<Vector3> axes;
+  axes.reserve(firsts.size());
   for (const Index first : firsts) axes.push_back(rows[first].directions.axis());
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
   if (std::ranges::all_of(axes, isCoordinateAxis)) return frame;

@@ -33,7 +33,7 @@ Vector3 roundedToAxis(const Vector3& direction)
 {
   Index along = 0;
   direction.cwiseAbs().maxCoeff(&along);
-  const Vector3 axis = Vector3::Unit(along);
+  Vector3 axis = Vector3::Unit(along);
   if (direction.cross(axis).norm() <= kAlongAxis) return axis;
   return direction[along] < 0 ? Vector3(-direction) : direction;
 }

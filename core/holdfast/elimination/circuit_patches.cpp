@@ -110,6 +110,7 @@ std::vector<Dependency> circuitsByPatches(const std::vector<RowTerms>& rows, con
   const std::vector<Dependency> ofAll =
       left.empty() ? std::vector<Dependency>() : circuitsOf(rows, basis, left, unknowns);
   std::vector<Dependency> result;
+  result.reserve(found.size());
   std::size_t next = 0;
   for (std::optional<Dependency>& dependency : found)
     result.push_back(dependency ? *std::move(dependency) : ofAll[next++]);

@@ -194,6 +194,7 @@ class BasisSearch {
     const double waiting = isLarge_ ? kCrowdedDistance : kWaitingDistance;
     const double out = isLarge_ ? std::max(tolerance_, kCrowdedDistance) : tolerance_;
     std::vector<double> result;
+    result.reserve(roles.size());
     for (const Role role : roles) result.push_back(role == Role::Waiting ? waiting : role == Role::Out ? out : 0);
     return result;
   }

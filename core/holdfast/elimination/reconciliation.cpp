@@ -33,6 +33,7 @@ Circuits circuitsOf(const EliminatedConstraints& eliminated, const std::vector<I
 
   std::vector<Eigen::Triplet<double, int>> entries;
   const int count = static_cast<int>(result.changed.size());
+  entries.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) entries.emplace_back(k, k, 1.0);
   for (std::size_t r = 0; r < redundant.size(); ++r)
     for (const Term& term : termsOf(redundant[r]))

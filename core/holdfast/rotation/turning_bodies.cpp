@@ -18,6 +18,7 @@ std::vector<TurningBody> regionBodies(const ConstraintSystem& system, Index unkn
   for (const std::vector<Index>& region : system.rigidRegions)
     for (const Index unknown : region) unknowns[sets.find(unknown)].push_back(unknown);
   std::vector<TurningBody> bodies;
+  bodies.reserve(unknowns.size());
   for (auto& [representative, its] : unknowns) bodies.push_back({sortedOnce(std::move(its)), {}});
   return bodies;
 }

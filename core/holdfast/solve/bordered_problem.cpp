@@ -73,6 +73,7 @@ std::vector<RowTerms> connectedTo(const std::vector<Index>& some, const Eliminat
   for (const Index row : independent)
     for (const Term& term : rows[row]) sets.unite(rows[row].front().index, term.index);
   std::vector<Index> wanted;
+  wanted.reserve(some.size());
   for (const Index row : some) wanted.push_back(sets.find(rows[row].front().index));
   std::ranges::sort(wanted);
   std::vector<RowTerms> result(rows.size());

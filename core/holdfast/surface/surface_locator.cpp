@@ -179,6 +179,7 @@ ClosestPointSearch::Result ClosestPointSearch::find(const Vector3& place) const
     return false;
   });
   std::vector<Term> terms;
+  terms.reserve(3);
   for (int k = 0; k < 3; ++k) terms.push_back({tree_.triangles()[nearest][k], best.weights[k]});
   return {canonical(std::move(terms)), nearest, std::ldexp(std::sqrt(best.squaredDistance), exponent)};
 }

@@ -43,7 +43,7 @@ inline const std::string kLastStep = "solving";
 /// Takes down what the worker tells; stops it at a gate until it is opened.
 class Witness {
  public:
-  explicit Witness(std::optional<Gate> gate = std::nullopt) : gate_(gate) {}
+  explicit Witness(std::optional<Gate> gate = std::nullopt) : gate_(std::move(gate)) {}
 
   [[nodiscard]] LiveDeformer::Listener listener()
   {

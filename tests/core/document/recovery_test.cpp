@@ -228,7 +228,7 @@ TEST(Recovery, TheNewestIsFirstAndWhatCannotBeReadIsOfferedToo)
   const test::TemporaryFolder folder;
   const auto leave = [&](const std::string& name, const std::string& text, int hours) {
     fs::create_directory(folder.path() / name);
-    const fs::path copy = folder.file(name + "/copy.holdfast", text);
+    fs::path copy = folder.file(name + "/copy.holdfast", text);
     fs::last_write_time(copy, fs::file_time_type::clock::now() - std::chrono::hours(hours));
     return copy;
   };

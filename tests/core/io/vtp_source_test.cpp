@@ -23,7 +23,7 @@ Serialized lifted(const std::string& bytes, double height = 0.5)
   const MeshDocument document = readVtp(bytes, "f.vtp");
   Positions positions = document.mesh.positions;
   positions.col(2).array() += height;
-  const Serialized result = document.source->withPositions(document.mesh, positions);
+  Serialized result = document.source->withPositions(document.mesh, positions);
   const MeshDocument again = readVtp(result.bytes, "again.vtp");
   EXPECT_EQ(again.mesh.positions, positions);
   EXPECT_EQ(again.mesh.faces, document.mesh.faces);

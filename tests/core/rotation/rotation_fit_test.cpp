@@ -242,7 +242,7 @@ TEST(FittedRotation, FindsTheBestRotationFromOneNearIt)
     const Eigen::Matrix3d R = fittedRotation(H, near).toRotationMatrix();
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() > 0 ? 1 : -1;
-    const Vector3 s = svd.singularValues();
+    const Vector3& s = svd.singularValues();
     EXPECT_NEAR((R.transpose() * H).trace(), s[0] + s[1] + sign * s[2], 1e-12 * s[0]) << k;
     EXPECT_NEAR(R.determinant(), 1, 1e-14);
     if (k % 5 == 0) {

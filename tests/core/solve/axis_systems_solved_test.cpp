@@ -15,7 +15,7 @@ namespace holdfast {
 namespace {
 
 /// A row of some unknowns near one another, as a face point makes one.
-ConstraintRow randomRow(test::Random& random, const SolverMesh& mesh, RowDirections directions)
+ConstraintRow randomRow(test::Random& random, const SolverMesh& mesh, const RowDirections& directions)
 {
   const Triangle& triangle = mesh.triangles[random.integer(0, static_cast<long>(mesh.triangles.size()) - 1)];
   ConstraintRow row;

@@ -87,7 +87,7 @@ void vtkHoldfastGizmoWidget::SetEnabled(int isEnabled)
     this->Interactor->RemoveObserver(this->ButtonObserver);
     this->WidgetRep->SetRenderer(nullptr);
   }
-  this->Superclass::SetEnabled(isEnabled);
+  this->WidgetOf::SetEnabled(isEnabled);
   if (this->Enabled == 0) return;
   this->ButtonsDown = 0;
   for (const auto& events : kButtonEvents)

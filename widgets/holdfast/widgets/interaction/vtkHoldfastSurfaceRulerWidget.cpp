@@ -28,11 +28,10 @@ void vtkHoldfastSurfaceRulerWidget::PrintSelf(ostream& os, vtkIndent indent)
 void vtkHoldfastSurfaceRulerWidget::SetEnabled(int enabling)
 {
   if (enabling == 0) this->Cancel();
-  this->LeftClick.Forget();
   // VTK asks for it before it makes one.
   this->CreateDefaultRepresentation();
   if (enabling != 0 && this->Interactor != nullptr) this->PrepareHandles();
-  this->Superclass::SetEnabled(enabling);
+  this->WidgetOf::SetEnabled(enabling);
 }
 
 /// VTK would show the handles in the renderer under the cursor.

@@ -301,8 +301,8 @@ void Viewport::setDisplay(const DisplaySettings& settings)
 
 const std::vector<ConstraintMark>& Viewport::marks() const noexcept
 {
-  static const std::vector<ConstraintMark> none;
-  return contents_ ? contents_->marks() : none;
+  static const std::vector<ConstraintMark> kNoMarks;
+  return contents_ ? contents_->marks() : kNoMarks;
 }
 
 }  // namespace holdfast
