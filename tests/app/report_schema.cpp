@@ -139,33 +139,34 @@ void checkConflictSet(Complaints& complaints, const Json& conflictSet)
 
 void checkConstraint(Complaints& complaints, const Json& constraint, SolveState state)
 {
-  const bool isSolved = state == SolveState::kSolved;
+  const bool isSolved = state == SolveState::Solved;
   const std::set<std::string> statuses =
       isSolved ? std::set<std::string>{"met", "redundant", "conflicting", "missed", "disabled"}
                : std::set<std::string>{"independent", "redundant", "conflicting", "disabled"};
-  complaints.check(constraint, "constraints[]",
-                   {{"name", isText},
-                    {"type", isOneOf({"fixed", "handle", "point", "rigid", "relative", "slide", "coincident"})},
-                    {"rows", isCount},
-                    {"status", isOneOf(statuses)},
-                    {"residual", isSolved ? Predicate(isLengthOrNull) : Predicate(isNull)},
-                    {"limit", constraint.value("rows", 0) > 0 ? Predicate(isLength) : Predicate(isNull)},
-                    {"depends_on", isNames},
-                    {"gap", isLengthOrNull},
-                    {"clashes", isArray},
-                    {"clash_count", isCount},
-                    {"amplification", isLengthOrNull},
-                    {"force", isSolved ? Predicate(isLengthOrNull) : Predicate(isNull)}});
+  complaints.check(
+      constraint, "constraints[]",
+      {{"name", isText},
+       {"type", isOneOf({"fixed", "handle", "point", "rigid", "relative", "slide", "coincident", "mirror"})},
+       {"rows", isCount},
+       {"status", isOneOf(statuses)},
+       {"residual", isSolved ? Predicate(isLengthOrNull) : Predicate(isNull)},
+       {"limit", constraint.value("rows", 0) > 0 ? Predicate(isLength) : Predicate(isNull)},
+       {"depends_on", isNames},
+       {"gap", isLengthOrNull},
+       {"clashes", isArray},
+       {"clash_count", isCount},
+       {"amplification", isLengthOrNull},
+       {"force", isSolved ? Predicate(isLengthOrNull) : Predicate(isNull)}});
   for (const Json& conflictSet : constraint.value("clashes", Json::array())) checkConflictSet(complaints, conflictSet);
 }
 
 void checkSolve(Complaints& complaints, const Json& solve, SolveState state)
 {
-  const bool isSolved = state == SolveState::kSolved;
+  const bool isSolved = state == SolveState::Solved;
   const Predicate isMeasured = isSolved ? Predicate(isLength) : Predicate(isNull);
-  const std::set<std::string> statuses = isSolved                       ? std::set<std::string>{"ok", "conflicts"}
-                                         : state == SolveState::kFailed ? std::set<std::string>{"failed"}
-                                                                        : std::set<std::string>{"not run"};
+  const std::set<std::string> statuses = isSolved                      ? std::set<std::string>{"ok", "conflicts"}
+                                         : state == SolveState::Failed ? std::set<std::string>{"failed"}
+                                                                       : std::set<std::string>{"not run"};
   const bool isFound = isSolved && solve.value("rotations", "") != "given";
   complaints.check(solve, "solve",
                    {{"status", isOneOf(statuses)},
@@ -203,7 +204,7 @@ void checkRatios(Complaints& complaints, const Json& ratios, const std::string& 
 
 void checkResult(Complaints& complaints, const Json& result, SolveState state)
 {
-  const bool isSolved = state == SolveState::kSolved;
+  const bool isSolved = state == SolveState::Solved;
   complaints.check(result, "result",
                    {{"status", isOneOf(isSolved ? std::set<std::string>{"fine", "doubtful"}
                                                 : std::set<std::string>{"not measured"})},

@@ -168,7 +168,7 @@ TEST_F(VerifierOfHandles, KnowsTargetsInTheOrderOfTheIdsAndBitForBit)
 
 TEST_F(VerifierOfHandles, DoesNotPassOverKeysThatItDoesNotKnow)
 {
-  EXPECT_THROW(static_cast<void>(verified(R"("scale": 2)", {3, 1, 0}, {5, -1, 0})), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(verified(R"("stretch": 2)", {3, 1, 0}, {5, -1, 0})), std::runtime_error);
 }
 
 /// What holdfast-batch writes for each, and that it is not what the others ask for.
@@ -182,7 +182,9 @@ TEST_F(ResidualVerifier, TellsTheMotionsOfHandlesApart)
        {R"("translate": [0.3, 0.2, 0.4])", R"("translate": [0.3, 0.2, 0.4], "turn": "about-fixed")",
         R"("translate": [0.3, 0.2, 0.4], "rotate": {"axis": [1, 2, 3], "degrees": 400})",
         R"("frame": {"from": {"x": [1, 1, 0]}, "to": {"origin": [1, 1, 1], "y": [0.5, -3, 1]}, "turns": -1})",
-        R"("targets": [[1, 0, 2], [0, 1.1, 2], [-1, 0, 2.3], [0.2, -1, 2]])"})
+        R"("targets": [[1, 0, 2], [0, 1.1, 2], [-1, 0, 2.3], [0.2, -1, 2]])",
+        R"("translate": [0.3, 0.2, 0.4], "scale": [1, 0.5, 2])",
+        R"("frame": {"from": {"x": [1, 1, 0]}, "to": {"y": [0.5, -3, 1]}}, "scale": [3, 1, 1])"})
     files.push_back(
         in_.file(std::to_string(files.size()) + ".json", constraintText({low, high + motion + "}"})).string());
   for (const std::string& file : files) {
@@ -190,6 +192,22 @@ TEST_F(ResidualVerifier, TellsTheMotionsOfHandlesApart)
     for (const std::string& other : files)
       EXPECT_EQ(meetsConstraints(mesh(), output("out.obj"), other), file == other) << file << ", " << other;
   }
+}
+
+TEST_F(ResidualVerifier, MeasuresHowFarPartnersAreFromBeingImages)
+{
+  const PlainMesh rest = readPlainMesh(mesh());
+  const auto file = in_.file(
+      "mirror.json",
+      constraintText({R"({"type": "mirror", "name": "c", "plane": {"point": [0, 0, 0], "normal": [0, 0, 2]}})"}));
+  EXPECT_LT(verify(rest, rest, file, {}).largest, 1e-15);
+  EXPECT_EQ(verify(rest, rest, file, {}).points, static_cast<long>(rest.positions.size()));
+  PlainMesh moved = rest;
+  moved.positions[4][1] += 1e-3;
+  EXPECT_NEAR(verify(rest, moved, file, {}).largest, 1e-3, 1e-15);
+  const auto listed = in_.file("listed.json", constraintText({R"({"type": "mirror", "name": "c", "pairs": [[4, 4]],
+                                                                  "plane": {"point": [0, 0, 0], "normal": [0, 0, 2]}})"}));
+  EXPECT_NEAR(verify(rest, moved, listed, {}).largest, 2 * std::abs(moved.positions[4][2]), 1e-15);
 }
 
 TEST_F(ResidualVerifier, MeasuresDistancesThatAreToBeKept)

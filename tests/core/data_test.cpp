@@ -250,7 +250,7 @@ TEST(ConstraintData, HasAMeshUniqueNamesAndKnownTypes)
     std::set<std::string> names;
     for (const auto& constraint : json.at("constraints")) {
       EXPECT_THAT(constraint.at("type"),
-                  testing::AnyOf("fixed", "handle", "point", "rigid", "relative", "slide", "coincident"));
+                  testing::AnyOf("fixed", "handle", "point", "rigid", "relative", "slide", "coincident", "mirror"));
       EXPECT_TRUE(names.insert(constraint.at("name")).second) << constraint.at("name");
     }
   }

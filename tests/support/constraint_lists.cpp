@@ -139,6 +139,8 @@ HandleConstraint randomHandle(Random& random)
     for (long k = 0; k < count; ++k) targets.places.push_back(randomVector(random));
     handle.motion = std::move(targets);
   }
+  if (choice > 3) handle.scale = Vector3(random.uniform(0.1, 2), 1, choice > 4 ? 0.5 : 7);
+  if (choice == 3) handle.scale.setConstant(0.25);
   if (choice > 1)
     handle.select = randomSelection(random, 2);
   else if (random.integer(0, 1) == 0)
@@ -184,9 +186,20 @@ SlideConstraint randomSlide(Random& random)
   return {randomSelection(random, 2), guides[random.integer(0, 3)], random.integer(0, 1) == 0};
 }
 
+/// With partners that are found, among all or some, or listed.
+MirrorConstraint randomMirror(Random& random)
+{
+  MirrorConstraint mirror{randomVector(random), randomDirection(random), {}, {AllOf{}}, {}};
+  if (random.integer(0, 1) == 0) mirror.tolerance = random.uniform(0, 1);
+  const long way = random.integer(0, 2);
+  if (way == 0) mirror.select = randomSelection(random, 2);
+  if (way == 1) mirror.pairs = {{randomId(random), randomId(random)}, {3, 3}};
+  return mirror;
+}
+
 decltype(Constraint::what) randomWhat(Random& random)
 {
-  switch (random.integer(0, 6)) {
+  switch (random.integer(0, 7)) {
     case 0:
       return FixedConstraint{randomSelection(random, 3)};
     case 1:
@@ -199,6 +212,8 @@ decltype(Constraint::what) randomWhat(Random& random)
       return randomSlide(random);
     case 5:
       return CoincidentConstraint{randomLocation(random), randomLocation(random)};
+    case 6:
+      return randomMirror(random);
     default:
       break;
   }
@@ -253,6 +268,7 @@ struct Same {
   bool operator()(const AllOf& a, const AllOf& b) const { return (*this)(a.parts, b.parts); }
   bool operator()(const AnyOf& a, const AnyOf& b) const { return (*this)(a.parts, b.parts); }
   bool operator()(const NotIn& a, const NotIn& b) const { return (*this)(*a.part, *b.part); }
+  bool operator()(const Grown& a, const Grown& b) const { return (*this)(*a.part, *b.part) && a.rings == b.rings; }
   bool operator()(const Selection& a, const Selection& b) const { return (*this)(a.what, b.what); }
 
   bool operator()(const AtVertex& a, const AtVertex& b) const { return a.vertex == b.vertex; }
@@ -284,7 +300,7 @@ struct Same {
   bool operator()(const HandleConstraint& a, const HandleConstraint& b) const
   {
     return (*this)(a.select, b.select) && (*this)(a.motion, b.motion) && (*this)(a.translate, b.translate) &&
-           (*this)(a.rotations, b.rotations);
+           (*this)(a.rotations, b.rotations) && (*this)(a.scale, b.scale);
   }
   bool operator()(const Target& a, const Target& b) const { return (*this)(a.place, b.place); }
   bool operator()(const Move& a, const Move& b) const { return (*this)(a.shift, b.shift); }
@@ -314,6 +330,11 @@ struct Same {
   {
     return (*this)(a.from, b.from) && (*this)(a.to, b.to);
   }
+  bool operator()(const MirrorConstraint& a, const MirrorConstraint& b) const
+  {
+    return (*this)(a.point, b.point) && (*this)(a.normal, b.normal) && (*this)(a.tolerance, b.tolerance) &&
+           (*this)(a.select, b.select) && a.pairs == b.pairs;
+  }
   bool operator()(const RelativeConstraint& a, const RelativeConstraint& b) const
   {
     return (*this)(a.from, b.from) && (*this)(a.to, b.to) && (*this)(a.offset, b.offset);
@@ -324,7 +345,7 @@ struct Same {
 
 Selection randomSelection(Random& random, int depth)
 {
-  switch (random.integer(0, depth > 0 ? 8 : 5)) {
+  switch (random.integer(0, depth > 0 ? 9 : 5)) {
     case 0:
       return {randomVertices(random)};
     case 1:
@@ -341,6 +362,8 @@ Selection randomSelection(Random& random, int depth)
       return {AllOf{randomParts(random, depth - 1)}};
     case 7:
       return {AnyOf{randomParts(random, depth - 1)}};
+    case 8:
+      return {Grown{std::make_shared<const Selection>(randomSelection(random, depth - 1)), random.integer(1, 4)}};
     default:
       return {NotIn{std::make_shared<const Selection>(randomSelection(random, depth - 1))}};
   }

@@ -391,8 +391,8 @@ std::vector<MeshExample> makeExamples()
 
 const std::vector<MeshExample>& meshExamples()
 {
-  static const std::vector<MeshExample> examples = makeExamples();
-  return examples;
+  static const std::vector<MeshExample> kExamples = makeExamples();
+  return kExamples;
 }
 
 std::ostream& operator<<(std::ostream& stream, const MeshExample& example)

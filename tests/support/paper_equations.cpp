@@ -68,19 +68,19 @@ struct Naming {
 /// Numbers up to 99 in parentheses that follow a blank, and those after the word "equation".
 std::vector<Naming> namings(const std::string& sentence)
 {
-  static const std::regex pattern(R"((?:^|[\s/-])\(([1-9]\d?)\)|\b[Ee]q(?:uation)?s?\.?\s+([1-9]\d?)\b)");
-  static const std::regex isRange(R"(\s*(?:to|-)\s*)");
-  static const std::regex isPair(R"(\s*(?:,|and)\s*)");
+  static const std::regex kPattern(R"((?:^|[\s/-])\(([1-9]\d?)\)|\b[Ee]q(?:uation)?s?\.?\s+([1-9]\d?)\b)");
+  static const std::regex kRange(R"(\s*(?:to|-)\s*)");
+  static const std::regex kPair(R"(\s*(?:,|and)\s*)");
   std::vector<Naming> result;
   std::size_t end = 0;
   bool isOpen = false;  // the last naming is a single number
-  for (std::sregex_iterator match(sentence.begin(), sentence.end(), pattern), none; match != none; ++match) {
+  for (std::sregex_iterator match(sentence.begin(), sentence.end(), kPattern), none; match != none; ++match) {
     const int number = std::stoi((*match)[(*match)[1].matched ? 1 : 2].str());
     const auto begin = static_cast<std::size_t>(match->position());
     // The blank or dash that precedes a number belongs to what is between.
     const std::string between = isOpen ? sentence.substr(end, sentence.find('(', begin) - end) : "";
-    if (isOpen && (std::regex_match(between, isRange) ||
-                   (number == result.back().last + 1 && std::regex_match(between, isPair)))) {
+    if (isOpen &&
+        (std::regex_match(between, kRange) || (number == result.back().last + 1 && std::regex_match(between, kPair)))) {
       result.back().last = number;
       isOpen = false;
     } else {
@@ -125,8 +125,8 @@ void check(Naming naming, const std::string& sentence, const std::vector<PaperEq
 
 std::vector<PaperEquations> paperEquations(std::string_view mathDocument)
 {
-  static const std::regex number(R"(\((\d+)\))");
-  static const std::regex place(R"(`([a-z_/]+\.(?:h|cpp))`)");
+  static const std::regex kNumber(R"(\((\d+)\))");
+  static const std::regex kPlace(R"(`([a-z_/]+\.(?:h|cpp))`)");
   const std::size_t heading = mathDocument.find("\n## Equations of the paper\n");
   if (heading == std::string_view::npos) return {};
   const std::size_t end = mathDocument.find("\n## ", heading + 1);
@@ -136,11 +136,11 @@ std::vector<PaperEquations> paperEquations(std::string_view mathDocument)
     const std::vector<std::string> cells = split(line.substr(1, line.size() - 2), '|');
     if (cells.size() != 4) continue;
     PaperEquations row{0, 0, cells[1], split(cells[2], ';'), {}};
-    for (std::sregex_iterator match(cells[0].begin(), cells[0].end(), number), none; match != none; ++match) {
+    for (std::sregex_iterator match(cells[0].begin(), cells[0].end(), kNumber), none; match != none; ++match) {
       row.last = std::stoi((*match)[1].str());
       if (row.first == 0) row.first = row.last;
     }
-    for (std::sregex_iterator match(cells[3].begin(), cells[3].end(), place), none; match != none; ++match)
+    for (std::sregex_iterator match(cells[3].begin(), cells[3].end(), kPlace), none; match != none; ++match)
       row.places.push_back((*match)[1].str());
     result.push_back(std::move(row));
   }

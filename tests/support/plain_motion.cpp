@@ -101,6 +101,7 @@ Motion motionOf(const Json& handle, const PlainPlace& own, const std::vector<lon
     const PlainPlace after = sum(before, 1, handle.at("translate").get<PlainPlace>());
     return {own, own, [before, after](const PlainPlace& v) { return swung(v, before, after); }};
   }
+  if (!handle.contains("frame")) return {own, own, [](const PlainPlace& v) { return v; }};
   const Json& frame = handle.at("frame");
   const Json from = frame.value("from", Json::object());
   const Json& to = frame.at("to");
@@ -109,10 +110,23 @@ Motion motionOf(const Json& handle, const PlainPlace& own, const std::vector<lon
           [a = axesOf(from), b = axesOf(to)](const PlainPlace& v) { return rotated(v, a, b); }};
 }
 
+/// `v` with its coordinates along the axes of the handle times its factors.
+PlainPlace scaled(const Json& handle, const PlainPlace& v)
+{
+  if (!handle.contains("scale")) return v;
+  const Json& scale = handle.at("scale");
+  const Json frame = handle.contains("frame") ? handle.at("frame").value("from", Json::object()) : Json::object();
+  const std::array<PlainPlace, 3> axes = axesOf(frame);
+  PlainPlace result{};
+  for (std::size_t k = 0; k < 3; ++k)
+    result = sum(result, (scale.is_array() ? scale.at(k) : scale).get<Real>() * innerProduct(v, axes[k]), axes[k]);
+  return result;
+}
+
 void requireKnownKeys(const Json& handle)
 {
-  static const std::set<std::string> kKnown{"type", "name",      "enabled", "select",  "translate", "rotate",
-                                            "turn", "turn_near", "frame",   "targets", "rotations"};
+  static const std::set<std::string> kKnown{"type",      "name",  "enabled", "select",    "translate", "rotate", "turn",
+                                            "turn_near", "frame", "targets", "rotations", "scale",     "rings"};
   for (const auto& entry : handle.items())
     if (!kKnown.contains(entry.key())) throw std::runtime_error("not to be verified: handles with " + entry.key());
 }
@@ -130,7 +144,7 @@ PlainPlace centroidOf(const std::vector<long>& vertices, const PlainMesh& rest)
 
 bool isTurned(const Json& handle)
 {
-  return handle.contains("rotate") || handle.contains("turn") || handle.contains("frame");
+  return handle.contains("rotate") || handle.contains("turn") || handle.contains("frame") || handle.contains("scale");
 }
 
 std::vector<std::pair<long, PlainPlace>> placesOfHandle(const Json& handle, const std::vector<long>& fixed,
@@ -140,7 +154,7 @@ std::vector<std::pair<long, PlainPlace>> placesOfHandle(const Json& handle, cons
   const Json& select = handle.at("select");
   const bool hasTargets = handle.contains("targets");
   // Targets come in the order of the ids.
-  const auto vertices = hasTargets ? select.at("vertices").get<std::vector<long>>() : selectPlain(select, rest);
+  const auto vertices = hasTargets ? select.at("vertices").get<std::vector<long>>() : verticesOfPlain(handle, rest);
   const auto shift = handle.value("translate", PlainPoint{});
   std::vector<std::pair<long, PlainPlace>> places;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
@@ -154,7 +168,8 @@ std::vector<std::pair<long, PlainPlace>> placesOfHandle(const Json& handle, cons
   }
   const Motion motion = motionOf(handle, centroidOf(vertices, rest), fixed, rest);
   for (auto& [vertex, place] : places)
-    place = sum(sum(motion.to, 1, {shift[0], shift[1], shift[2]}), 1, motion.R(sum(place, -1, motion.from)));
+    place = sum(sum(motion.to, 1, {shift[0], shift[1], shift[2]}), 1,
+                motion.R(scaled(handle, sum(place, -1, motion.from))));
   return places;
 }
 

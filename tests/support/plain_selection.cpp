@@ -85,6 +85,7 @@ class Selector {
     if (kind == "all") return std::all_of(value.begin(), value.end(), selectsIt);
     if (kind == "any") return std::any_of(value.begin(), value.end(), selectsIt);
     if (kind == "not") return !selectsIt(value);
+    if (kind == "grown") return grown(value).contains(v);
     throw std::runtime_error("unknown selection " + kind);
   }
 
@@ -95,16 +96,33 @@ class Selector {
     return parts_[v];
   }
 
+  /// Ring by ring: all corners of triangles that have one in the set.
+  const std::set<long>& grown(const Json& value)
+  {
+    const auto [found, isNew] = sets_.try_emplace(value.dump());
+    if (!isNew) return found->second;
+    std::set<long> vertices;
+    for (long v = 0; v < static_cast<long>(mesh_.positions.size()); ++v)
+      if (selects(value.at("select"), v)) vertices.insert(v);
+    for (long ring = 0; ring < value.at("rings").get<long>(); ++ring) {
+      const std::set<long> before = vertices;
+      for (const auto& face : mesh_.faces)
+        if (std::ranges::any_of(face, [&](long v) { return before.contains(v); }))
+          vertices.insert(face.begin(), face.end());
+    }
+    return found->second = std::move(vertices);
+  }
+
   const std::set<long>& inside(const Json& curve)
   {
-    const auto [found, isNew] = insides_.try_emplace(curve.dump());
+    const auto [found, isNew] = sets_.try_emplace(curve.dump());
     if (isNew) found->second = insidePlain(curve, mesh_);
     return found->second;
   }
 
   const PlainMesh& mesh_;
   std::vector<long> parts_;
-  std::map<std::string, std::set<long>> insides_;
+  std::map<std::string, std::set<long>> sets_;  // of curves and rings, by their text
 };
 
 /// Weight t of b on the segment a b where it is closest to p.
@@ -158,6 +176,12 @@ std::vector<long> selectPlain(const nlohmann::json& selection, const PlainMesh& 
   for (long v = 0; v < static_cast<long>(mesh.positions.size()); ++v)
     if (selector.selects(selection, v)) vertices.push_back(v);
   return vertices;
+}
+
+std::vector<long> verticesOfPlain(const nlohmann::json& constraint, const PlainMesh& mesh)
+{
+  if (!constraint.contains("rings")) return selectPlain(constraint.at("select"), mesh);
+  return selectPlain({{"grown", {{"select", constraint.at("select")}, {"rings", constraint.at("rings")}}}}, mesh);
 }
 
 std::pair<std::array<long, 3>, std::array<long double, 3>> nearestPlain(const PlainMesh& mesh, const PlainPoint& place)

@@ -13,8 +13,12 @@
 
 namespace holdfast::test {
 
-/// The vertices that a selection names, ascending. Parts are those that faces connect by their ids.
+/// The vertices that a selection names, ascending. Parts are those that faces connect by their ids. Rings are those of
+/// meshes of triangles.
 [[nodiscard]] std::vector<long> selectPlain(const nlohmann::json& selection, const PlainMesh& mesh);
+
+/// The vertices of a constraint: those of its selection, and of the rings around it that it has.
+[[nodiscard]] std::vector<long> verticesOfPlain(const nlohmann::json& constraint, const PlainMesh& mesh);
 
 /// The point of the surface closest to `place`, as the corners of a face and their weights. All faces are looked at,
 /// one after the other; they must be triangles.

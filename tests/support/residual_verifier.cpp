@@ -91,7 +91,7 @@ class Verifier {
     name_ = constraint.at("name");
     const std::string type = constraint.at("type");
     if (type == "fixed")
-      for (const long v : selectPlain(constraint.at("select"), rest_)) measurePin(v, rest_.positions[v]);
+      for (const long v : verticesOfPlain(constraint, rest_)) measurePin(v, rest_.positions[v]);
     else if (type == "handle")
       addHandle(constraint);
     else if (type == "point")
@@ -104,6 +104,8 @@ class Verifier {
       measure(differenceOf(constraint), {});
     else if (type == "slide")
       addSlide(constraint);
+    else if (type == "mirror")
+      addMirror(constraint);
     else
       throw std::runtime_error("not to be verified: constraints of type " + type);
   }
@@ -165,6 +167,40 @@ class Verifier {
       }
       guide["point"] = through;
       note(distanceFrom(shifted, {}, places[k]));
+    }
+  }
+
+  /// Every pair of vertices of which each is nearest to the image of the other at rest: as far apart as they are, where
+  /// they went, from being images of one another.
+  void addMirror(const Json& mirror)
+  {
+    const Arm normal = armOf(mirror.at("plane").at("normal").get<Place>()).normalized();
+    const Arm point = armOf(mirror.at("plane").at("point").get<Place>());
+    const auto image = [&](const Arm& place) -> Arm { return place - 2 * normal.dot(place - point) * normal; };
+    const auto noteMissed = [&](long v, long w) {
+      note(
+          static_cast<double>((image(armOf(placeOf(written_, {{v, 1}}))) - armOf(placeOf(written_, {{w, 1}}))).norm()));
+    };
+    if (mirror.contains("pairs")) {
+      for (const Json& pair : mirror.at("pairs")) noteMissed(pair.at(0).get<long>(), pair.at(1).get<long>());
+      return;
+    }
+    const double tolerance = mirror.value("tolerance", 1e-6 * diagonalOf(rest_));
+    const auto partnerOf = [&](long v) {
+      const Arm wanted = image(armOf(placeOf(rest_, {{v, 1}})));
+      long nearest = -1;
+      Real least = tolerance;
+      for (long w = 0; w < static_cast<long>(rest_.positions.size()); ++w)
+        if (const Real distance = (armOf(placeOf(rest_, {{w, 1}})) - wanted).norm(); distance <= least) {
+          nearest = distance < least || nearest < 0 ? w : nearest;
+          least = distance;
+        }
+      return nearest;
+    };
+    const Json everything{{"halfspace", {{"point", {0, 0, 0}}, {"normal", {0, 0, 0}}}}};
+    for (const long v : selectPlain(mirror.value("select", everything), rest_)) {
+      const long partner = partnerOf(v);
+      if (partner >= 0 && partnerOf(partner) == v) noteMissed(v, partner);
     }
   }
 
@@ -270,7 +306,7 @@ std::vector<long> fixedVertices(const Json& constraints, const PlainMesh& rest)
   std::set<long> fixed;
   for (const Json& constraint : constraints)
     if (constraint.value("enabled", true) && constraint.at("type") == "fixed")
-      for (const long v : selectPlain(constraint.at("select"), rest)) fixed.insert(v);
+      for (const long v : verticesOfPlain(constraint, rest)) fixed.insert(v);
   return {fixed.begin(), fixed.end()};
 }
 

@@ -27,7 +27,7 @@ struct Verification {
 /// rigid regions, and of relative constraints without an offset, it is distances that are to be kept: the rotation is
 /// for the solver to find. Of vertices on a plane or a line that was fitted it is measured whether they lie on any.
 /// Throws `std::runtime_error` for unknown types, and for `near` on faces that are not triangles. Sums are taken in
-/// long double. O(faces) for each `near`, O(vertices^2) for each rigid region.
+/// long double. O(faces) for each `near`, O(vertices^2) for each rigid region and mirror.
 [[nodiscard]] Verification verify(const PlainMesh& rest, const PlainMesh& written,
                                   const std::filesystem::path& constraints, const std::set<std::string>& leftOut);
 

@@ -1,5 +1,6 @@
 #include "holdfast/constraint_files/constraint_file.h"
 
+#include <algorithm>
 #include <map>
 
 #include <holdfast/constraint_files/constraint_file_internal.h>
@@ -44,11 +45,28 @@ std::vector<Constraint> readConstraintArray(const JsonReader& json)
   return constraints;
 }
 
-/// Tells the first version whose programs read a constraint.
+/// Tells whether rings belong to a selection.
+struct HasRings {
+  bool operator()(const Grown& /*grown*/) const { return true; }
+  bool operator()(const AllOf& all) const { return anyOf(all.parts); }
+  bool operator()(const AnyOf& any) const { return anyOf(any.parts); }
+  bool operator()(const NotIn& none) const { return std::visit(*this, none.part->what); }
+  bool operator()(const auto& /*shape*/) const { return false; }
+
+ private:
+  [[nodiscard]] bool anyOf(const std::vector<Selection>& parts) const
+  {
+    return std::ranges::any_of(parts, [&](const Selection& part) { return std::visit(*this, part.what); });
+  }
+};
+
+/// Tells the first version whose programs read a constraint, but for its selection.
 struct FirstVersion {
+  Index operator()(const HandleConstraint& handle) const { return handle.scale == Vector3::Ones() ? 1 : 2; }
   Index operator()(const PointConstraint& point) const { return point.directions().areAll() ? 1 : 2; }
   Index operator()(const SlideConstraint& /*slide*/) const { return 2; }
   Index operator()(const CoincidentConstraint& /*coincident*/) const { return 2; }
+  Index operator()(const MirrorConstraint& /*mirror*/) const { return 2; }
   Index operator()(const auto& /*other*/) const { return 1; }
 };
 
@@ -56,8 +74,11 @@ struct FirstVersion {
 Index versionOf(const std::vector<Constraint>& constraints)
 {
   Index version = 1;
-  for (const Constraint& constraint : constraints)
+  for (const Constraint& constraint : constraints) {
     version = std::max(version, std::visit(FirstVersion{}, constraint.what));
+    const Selection* selection = selectionOf(constraint);
+    if (selection != nullptr && std::visit(HasRings{}, selection->what)) version = kVersion;
+  }
   return version;
 }
 

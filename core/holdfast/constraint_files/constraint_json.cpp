@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <holdfast/constraint_files/constraint_file_internal.h>
 #include <holdfast/constraints/handle_motion.h>
@@ -16,7 +17,8 @@ namespace {
 using Motion = decltype(HandleConstraint::motion);
 
 constexpr std::array<std::string_view, 4> kMotions{"rotate", "turn", "frame", "targets"};
-constexpr std::array<std::string_view, 6> kNeeded{"rotate", "turn", "frame", "targets", "translate", "rotations"};
+constexpr std::array<std::string_view, 7> kNeeded{"rotate",    "turn",      "frame", "targets",
+                                                  "translate", "rotations", "scale"};
 constexpr std::array<std::string_view, 1> kTurns{"about-fixed"};
 
 bool hasAnyOf(const JsonReader& json, std::span<const std::string_view> keys)
@@ -80,15 +82,37 @@ Motion readMotion(const JsonReader& json)
   return VertexTargets{json[kind].listAboveZero(&JsonReader::vector)};
 }
 
+/// One factor, or one along each axis.
+Vector3 readScale(const JsonReader& json)
+{
+  return json.isList() ? json.vector() : Vector3(Vector3::Constant(json.number()));
+}
+
+/// The selection with the rings around it.
+Selection readWithRings(const JsonReader& json)
+{
+  Selection selection = readSelection(json["select"]);
+  if (!json.has("rings") || json["rings"].id() == 0) return selection;
+  return {Grown{std::make_shared<const Selection>(std::move(selection)), json["rings"].id()}};
+}
+
+void writeWithRings(JsonValue& json, const Selection& selection)
+{
+  const auto* grown = std::get_if<Grown>(&selection.what);
+  json["select"] = grown == nullptr ? selection : *grown->part;
+  if (grown != nullptr) json["rings"] = grown->rings;
+}
+
 HandleConstraint readHandle(const JsonReader& json)
 {
-  HandleConstraint handle{readSelection(json["select"]), {}, Vector3::Zero(), {}};
+  HandleConstraint handle{readWithRings(json), {}, Vector3::Zero(), {}};
   if (!hasAnyOf(json, kNeeded))
     json.fail(R"(a handle needs "rotate", "translate" or both, or another way to go: "turn", "frame", "targets", )"
-              R"("rotations"; "fixed" is the type for vertices that stay in their places)");
+              R"("rotations", "scale"; "fixed" is the type for vertices that stay in their places)");
   handle.motion = readMotion(json);
   if (json.has("translate")) handle.translate = json["translate"].vector();
   if (json.has("rotations")) handle.rotations = json["rotations"].listAboveZero(readAxisAngle);
+  if (json.has("scale")) handle.scale = readScale(json["scale"]);
   if (const std::optional<HandleError> error = validateHandle(handle)) json.failBelow(error->key, error->reason);
   return handle;
 }
@@ -102,11 +126,14 @@ struct Type {
   What (*read)(const JsonReader&);
 };
 
+constexpr std::array<std::string_view, 6> kFixedKeys{"type", "name", "enabled", "extra", "select", "rings"};
 constexpr std::array<std::string_view, 5> kRegionKeys{"type", "name", "enabled", "extra", "select"};
-constexpr std::array<std::string_view, 12> kHandleKeys{"type",    "name",      "enabled",   "extra",
-                                                       "select",  "rotate",    "turn",      "frame",
-                                                       "targets", "translate", "turn_near", "rotations"};
+constexpr std::array<std::string_view, 14> kHandleKeys{"type",      "name",      "enabled",   "extra", "select",
+                                                       "rings",     "rotate",    "turn",      "frame", "targets",
+                                                       "translate", "turn_near", "rotations", "scale"};
 constexpr std::array<std::string_view, 8> kPointKeys{"type", "name", "enabled", "extra", "at", "target", "move", "on"};
+constexpr std::array<std::string_view, 8> kMirrorKeys{"type",  "name",      "enabled", "extra",
+                                                      "plane", "tolerance", "select",  "pairs"};
 constexpr std::array<std::string_view, 7> kSlideKeys{"type", "name", "enabled", "extra", "select", "on", "together"};
 constexpr std::array<std::string_view, 6> kCoincidentKeys{"type", "name", "enabled", "extra", "from", "to"};
 constexpr std::array<std::string_view, 7> kRelativeKeys{"type", "name", "enabled", "extra", "from", "to", "offset"};
@@ -114,11 +141,14 @@ constexpr std::array<std::string_view, 3> kDestinations{"target", "move", "on"};
 constexpr std::array<std::string_view, 2> kGuides{"plane", "line"};
 constexpr std::array<std::string_view, 1> kFits{"fit"};
 
-/// A constraint that is its selection alone.
-template <class Region>
-What readRegion(const JsonReader& json)
+What readFixed(const JsonReader& json)
 {
-  return Region{readSelection(json["select"])};
+  return FixedConstraint{readWithRings(json)};
+}
+
+What readRigid(const JsonReader& json)
+{
+  return RigidConstraint{readSelection(json["select"])};
 }
 
 using Goal = decltype(PointConstraint::to);
@@ -191,6 +221,26 @@ What readCoincident(const JsonReader& json)
   return CoincidentConstraint{readLocation(json["from"]), readLocation(json["to"])};
 }
 
+What readMirror(const JsonReader& json)
+{
+  const JsonReader plane = json["plane"];
+  plane.requireKeys({"point", "normal"});
+  MirrorConstraint mirror{plane["point"].vector(), plane["normal"].direction(), {}, {AllOf{}}, {}};
+  if (json.has("tolerance")) mirror.tolerance = json["tolerance"].number();
+  if (mirror.tolerance && *mirror.tolerance < 0)
+    json["tolerance"].fail("a distance cannot be below 0, this is {}", *mirror.tolerance);
+  if (json.has("pairs"))
+    mirror.pairs = json["pairs"].listAboveZero([](const JsonReader& pair) {
+      pair.requireSize(2, "the two vertices [i, j]");
+      return std::array<Index, 2>{pair.element(0).id(), pair.element(1).id()};
+    });
+  if (!json.has("select")) return mirror;
+  if (!mirror.pairs.empty())
+    json.failBelow(".pairs", R"("select" says that they are to be found; leave one of both out)");
+  mirror.select = readSelection(json["select"]);
+  return mirror;
+}
+
 What readRelative(const JsonReader& json)
 {
   RelativeConstraint relative{readLocation(json["from"]), readLocation(json["to"]), std::nullopt};
@@ -199,13 +249,14 @@ What readRelative(const JsonReader& json)
 }
 
 constexpr std::array<Type, std::variant_size_v<What>> kTypes{
-    {{FixedConstraint::kType, kRegionKeys, readRegion<FixedConstraint>},
+    {{FixedConstraint::kType, kFixedKeys, readFixed},
      {HandleConstraint::kType, kHandleKeys, [](const JsonReader& json) { return What(readHandle(json)); }},
      {PointConstraint::kType, kPointKeys, readPoint},
-     {RigidConstraint::kType, kRegionKeys, readRegion<RigidConstraint>},
+     {RigidConstraint::kType, kRegionKeys, readRigid},
      {RelativeConstraint::kType, kRelativeKeys, readRelative},
      {SlideConstraint::kType, kSlideKeys, readSlide},
-     {CoincidentConstraint::kType, kCoincidentKeys, readCoincident}}};
+     {CoincidentConstraint::kType, kCoincidentKeys, readCoincident},
+     {MirrorConstraint::kType, kMirrorKeys, readMirror}}};
 
 Type readType(const JsonReader& json)
 {
@@ -242,14 +293,16 @@ JsonValue coordinateJson(double coordinate)
 struct OwnKeys {
   JsonValue& json;
 
-  void operator()(const FixedConstraint& fixed) const { json["select"] = fixed.select; }
+  void operator()(const FixedConstraint& fixed) const { writeWithRings(json, fixed.select); }
   void operator()(const RigidConstraint& rigid) const { json["select"] = rigid.select; }
   void operator()(const HandleConstraint& handle) const
   {
-    json["select"] = handle.select;
+    writeWithRings(json, handle.select);
     std::visit(*this, handle.motion);
     json["translate"] = handle.translate;
     if (!handle.rotations.empty()) json["rotations"] = handle.rotations;
+    if (handle.scale == Vector3::Ones()) return;
+    json["scale"] = isUniform(handle.scale) ? JsonValue(handle.scale.x()) : JsonValue(handle.scale);
   }
   void operator()(const PointConstraint& point) const
   {
@@ -268,6 +321,13 @@ struct OwnKeys {
     json["select"] = slide.select;
     std::visit(*this, slide.on);
     if (slide.together) json["together"] = true;
+  }
+  void operator()(const MirrorConstraint& mirror) const
+  {
+    json["plane"] = {{"point", mirror.point}, {"normal", mirror.normal}};
+    if (mirror.tolerance) json["tolerance"] = *mirror.tolerance;
+    if (mirror.select != Selection{AllOf{}}) json["select"] = mirror.select;
+    if (!mirror.pairs.empty()) json["pairs"] = mirror.pairs;
   }
   void operator()(const CoincidentConstraint& coincident) const
   {

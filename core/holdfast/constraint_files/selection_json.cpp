@@ -8,8 +8,8 @@
 namespace holdfast {
 namespace {
 
-constexpr std::array<std::string_view, 9> kSelections{"vertices", "box", "sphere", "halfspace", "component",
-                                                      "curve",    "all", "any",    "not"};
+constexpr std::array<std::string_view, 10> kSelections{"vertices", "box", "sphere", "halfspace", "component",
+                                                       "curve",    "all", "any",    "not",       "grown"};
 // Fewer would lead there and back.
 constexpr std::size_t kLeastPlacesOfCurve = 3;
 constexpr std::array<std::string_view, 4> kLocations{"vertex", "edge", "face", "near"};
@@ -98,7 +98,9 @@ Selection readSelection(const JsonReader& json, int depth)
   if (kind == "curve") return {readCurve(group)};
   if (kind == "all") return {AllOf{group.listAboveZero(readPart)}};
   if (kind == "any") return {AnyOf{group.listAboveZero(readPart)}};
-  return {NotIn{std::make_shared<const Selection>(readPart(group))}};
+  if (kind == "not") return {NotIn{std::make_shared<const Selection>(readPart(group))}};
+  group.requireKeys({"select", "rings"});
+  return {Grown{std::make_shared<const Selection>(readPart(group["select"])), group["rings"].id()}};
 }
 
 struct LocationJson {
@@ -128,6 +130,10 @@ struct SelectionJson {
   JsonValue operator()(const AllOf& all) const { return {{"all", all.parts}}; }
   JsonValue operator()(const AnyOf& any) const { return {{"any", any.parts}}; }
   JsonValue operator()(const NotIn& none) const { return {{"not", *none.part}}; }
+  JsonValue operator()(const Grown& grown) const
+  {
+    return {{"grown", {{"select", *grown.part}, {"rings", grown.rings}}}};
+  }
 };
 
 }  // namespace

@@ -66,7 +66,8 @@ struct VertexTargets {
 };
 
 /// Every selected vertex goes where `motion` takes it, and from there by `translate`. Without a motion it only goes by
-/// `translate`. The rotation of the motion is handed on to the surface; without a motion there is none.
+/// `translate`. The rotation of the motion is handed on to the surface; without a motion there is none. A scale is not
+/// handed on: the surface around keeps the size of its detail.
 struct HandleConstraint {
   static constexpr const char* kType = "handle";
   Selection select;
@@ -75,6 +76,9 @@ struct HandleConstraint {
   /// Each vertex hands its own rotation on to the surface in place of that of the motion. The list has one rotation for
   /// each id, and the selection has to be distinct `VertexIds`; or the list is empty.
   std::vector<AxisAngle> rotations;
+  /// The handle is scaled by these factors before it moves, each above 0. It is scaled about the point about which it
+  /// rotates, else about its centroid, along the axes of `FrameMotion::from`, else along those of coordinates.
+  Vector3 scale = Vector3::Ones();
 };
 
 /// A point goes to a place, in model units.
@@ -213,6 +217,22 @@ struct RelativeConstraint {
   void setTarget(const Vector3& vector, const RestPlace& /*restPlace*/) { offset = vector; }
 };
 
+/// The surface is its own mirror image across a plane. Each vertex on one side has a partner on the other, whose image
+/// it is, and vertices on the plane stay on it. Partners are found where the surface is symmetric at rest, or are
+/// listed. Rotations that constraints give to a vertex are handed on to its partner, mirrored, and so are rigid
+/// regions.
+struct MirrorConstraint {
+  static constexpr const char* kType = "mirror";
+  Vector3 point = Vector3::Zero();    ///< of the plane
+  Vector3 normal = Vector3::UnitX();  ///< not zero, of any length
+  /// How far a vertex may be from the image of its partner at rest, model units. Where this is absent it is
+  /// `kMirrorTolerance` of the diagonal.
+  std::optional<double> tolerance;
+  Selection select = {AllOf{}};  ///< the vertices that get partners; all unless it says otherwise
+  std::vector<std::array<Index, 2>>
+      pairs;  ///< two vertices each, or one on the plane twice; where none, they are found
+};
+
 /// Something that a file says of a constraint, such as a column of a point list. It means nothing to the solution.
 struct ExtraText {
   std::string title;  ///< not empty
@@ -226,7 +246,7 @@ struct Constraint {
   std::string name;  ///< no other constraint of the list has it
   bool isEnabled = true;
   std::variant<FixedConstraint, HandleConstraint, PointConstraint, RigidConstraint, RelativeConstraint, SlideConstraint,
-               CoincidentConstraint>
+               CoincidentConstraint, MirrorConstraint>
       what;
   std::vector<ExtraText> extra = {};  ///< kept for files that are written from it; no title repeats
 };

@@ -1,10 +1,14 @@
 #include "holdfast/constraints/constraint_system.h"
 
+#include <algorithm>
+#include <map>
+
 #include <fmt/format.h>
 
 #include <holdfast/constraints/axis_systems.h>
 #include <holdfast/constraints/fitted_guides.h>
 #include <holdfast/constraints/handle_motion.h>
+#include <holdfast/constraints/mirror_pairs.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/mesh/index_lists.h>
@@ -15,6 +19,9 @@ namespace holdfast {
 namespace {
 
 const std::string kUnsaidNote = "unsaid_rotation";
+
+// A person looks at no more.
+constexpr std::size_t kMostUnpairedNames = 5;
 
 bool statesRotation(const HandleConstraint& handle)
 {
@@ -49,6 +56,7 @@ class SystemBuilder {
     system_.rows.reserve(rows);
     surroundings_ = surroundings();
     forEach([this](const auto& what) { add(what); });
+    mirrorRotations();
     rotateRegionsAsTheirFirst();
     refuseDirectionsAtOdds();
     return std::move(system_);
@@ -228,6 +236,152 @@ class SystemBuilder {
     add(RelativeConstraint{coincident.from, coincident.to, Vector3(Vector3::Zero())});
   }
 
+  void add(const MirrorConstraint& mirror)
+  {
+    const RowDirections along = RowDirections::along(mirror.normal);
+    requireDirection(along);
+    if (mirror.tolerance && !(*mirror.tolerance >= 0))
+      throw InputError(key(".tolerance"), fmt::format("it must not be below 0, this is {}", *mirror.tolerance));
+    std::optional<MirrorPairs> listed;
+    if (!mirror.pairs.empty()) listed = listedPairs(mirror);
+    if (!isEnabled()) return;
+    MirrorPairs found = listed ? *std::move(listed) : foundPairs(mirror);
+    const Vector3& n = along.axis();
+    const Vector3 twice = 2 * n.dot(mirror.point) * n;
+    for (const auto& [a, b] : found.pairs) {
+      const Vector3 first = solverMesh_.rest.row(a);
+      const Vector3 second = solverMesh_.rest.row(b);
+      const Vector3 sum = twice - along.held(first + second);
+      system_.rows.push_back({{{a, 1.0}, {b, 1.0}}, twice, sum, current_, RowKind::Mirrored, 0, along});
+      const RowDirections across = RowDirections::across(n);
+      system_.rows.push_back({{{a, 1.0}, {b, -1.0}},
+                              Vector3::Zero(),
+                              across.held(second - first),
+                              current_,
+                              RowKind::Mirrored,
+                              0,
+                              across});
+    }
+    const OnPlane plane{mirror.point, mirror.normal, 0};
+    for (const Index u : found.onPlane) {
+      const Vector3 rest = solverMesh_.rest.row(u);
+      system_.rows.push_back(
+          {{{u, 1.0}}, plane.placeFrom(rest), plane.shiftFrom(rest), current_, RowKind::Position, 0, along});
+    }
+    mirrors_.push_back({current_, n, std::move(found.pairs)});
+  }
+
+  /// The listed pairs, over unknowns.
+  [[nodiscard]] MirrorPairs listedPairs(const MirrorConstraint& mirror) const
+  {
+    if (mirror.select != Selection{AllOf{}})
+      throw InputError(key(".pairs"), R"("select" says that they are to be found; leave one of both out)");
+    MirrorPairs result;
+    std::map<Index, std::size_t> placeOf;
+    for (std::size_t k = 0; k < mirror.pairs.size(); ++k) {
+      const InputLocation where = key(fmt::format(".pairs[{}]", k));
+      std::array<Index, 2> pair = mirror.pairs[k];
+      for (Index& v : pair) {
+        requireVertex(mesh_.vertexCount(), v, where, "");
+        requirePlace(solverMesh_.withoutPlace, v, where, "");
+        v = solverMesh_.weld.unknownOf[v];
+      }
+      std::ranges::sort(pair);
+      const auto [a, b] = pair;
+      for (const Index u : {a, b})
+        if (const auto [other, isNew] = placeOf.emplace(u, k); !isNew && other->second != k)
+          throw InputError(where,
+                           fmt::format("pairs[{}] has a vertex of it already; give each one partner", other->second));
+      if (a == b)
+        result.onPlane.push_back(a);
+      else
+        result.pairs.push_back(pair);
+    }
+    return result;
+  }
+
+  [[nodiscard]] MirrorPairs foundPairs(const MirrorConstraint& mirror)
+  {
+    const double tolerance = mirror.tolerance.value_or(kMirrorTolerance * solverMesh_.diagonal);
+    std::vector<Index> wanted = unknownsOfSelection();
+    // Loose vertices are no part of the surface. Nobody misses their partners.
+    std::erase_if(wanted, [&](Index u) { return solverMesh_.componentOf[u] < 0; });
+    MirrorPairs found = mirrorPairs(solverMesh_.rest, wanted, mirror.point, mirror.normal, tolerance);
+    if (found.pairs.empty() && found.onPlane.empty())
+      throw InputError(key(""), fmt::format("no vertex has a partner across the plane within {:.3g}; move or turn the "
+                                            "plane, raise \"tolerance\", or list \"pairs\"",
+                                            tolerance));
+    noteUnpaired(found.unpaired, wanted.size(), tolerance);
+    return found;
+  }
+
+  void noteUnpaired(const std::vector<Index>& unpaired, std::size_t wanted, double tolerance)
+  {
+    if (unpaired.empty()) return;
+    std::string names;
+    for (std::size_t k = 0; k < std::min(unpaired.size(), kMostUnpairedNames); ++k)
+      names += (k == 0 ? "" : ", ") + std::to_string(solverMesh_.weld.firstVertexOf[unpaired[k]]);
+    note("unpaired_vertices",
+         fmt::format("{} of {} vertices have no partner across its plane within {:.3g} and are free of it: {}{}; "
+                     "raise \"tolerance\", or select fewer",
+                     unpaired.size(), wanted, tolerance, names, unpaired.size() > kMostUnpairedNames ? ", ..." : ""));
+  }
+
+  /// Partners of vertices whose rotations are given turn as their images do, and those of a rigid region turn together.
+  /// With several planes this goes on until every image has its own.
+  void mirrorRotations()
+  {
+    for (bool isNews = true; isNews;) {
+      const std::size_t before = system_.rotations.size();
+      const std::size_t regions = system_.rigidRegions.size();
+      for (const MirrorPlanePairs& mirror : mirrors_) handOn(mirror);
+      isNews = system_.rotations.size() > before || system_.rigidRegions.size() > regions;
+    }
+  }
+
+  struct MirrorPlanePairs {
+    Index constraint;
+    Vector3 normal;
+    std::vector<std::array<Index, 2>> pairs;
+  };
+
+  void handOn(const MirrorPlanePairs& mirror)
+  {
+    std::map<Index, Index> partnerOf;
+    for (const auto& [a, b] : mirror.pairs) {
+      partnerOf[a] = b;
+      partnerOf[b] = a;
+    }
+    current_ = mirror.constraint;
+    const std::size_t given = system_.rotations.size();
+    for (std::size_t k = 0; k < given; ++k)
+      if (const auto found = partnerOf.find(system_.rotations[k].unknown); found != partnerOf.end()) {
+        GivenRotation image = system_.rotations[k];
+        // An axial vector.
+        image.q = 2 * mirror.normal.dot(image.q) * mirror.normal - image.q;
+        giveRotationTo(found->second, image);
+      }
+    const std::size_t regions = system_.rigidRegions.size();
+    for (std::size_t k = 0; k < regions; ++k) addRegion(imageOf(system_.rigidRegions[k], partnerOf));
+  }
+
+  /// Those of the region that have partners; on the plane they are their own.
+  static std::vector<Index> imageOf(const std::vector<Index>& region, const std::map<Index, Index>& partnerOf)
+  {
+    std::vector<Index> image;
+    for (const Index u : region)
+      if (const auto found = partnerOf.find(u); found != partnerOf.end()) image.push_back(found->second);
+    return sortedOnce(std::move(image));
+  }
+
+  /// Does nothing where all of its unknowns turn together already.
+  void addRegion(std::vector<Index> region)
+  {
+    const auto hasAll = [&](const std::vector<Index>& other) { return std::ranges::includes(other, region); };
+    if (region.size() > 1 && std::ranges::none_of(system_.rigidRegions, hasAll))
+      system_.rigidRegions.push_back(std::move(region));
+  }
+
   using Guide = std::variant<OnPlane, OnLine>;
 
   /// Throws `InputError` where the selection fits no plane or line of its own.
@@ -287,12 +441,17 @@ class SystemBuilder {
     system_.rows.push_back({difference(from, to), rest, Vector3::Zero(), current_, kind});
   }
 
-  void giveRotation(Index vertex, GivenRotation given)
+  void giveRotation(Index vertex, const GivenRotation& given)
   {
-    given.unknown = solverMesh_.weld.unknownOf[vertex];
+    giveRotationTo(solverMesh_.weld.unknownOf[vertex], given);
+  }
+
+  void giveRotationTo(Index unknown, GivenRotation given)
+  {
+    given.unknown = unknown;
     given.constraint = current_;
-    if (!hasRotation_[given.unknown]) system_.rotations.push_back(given);
-    hasRotation_[given.unknown] = true;
+    if (!hasRotation_[unknown]) system_.rotations.push_back(given);
+    hasRotation_[unknown] = true;
   }
 
   /// The rows of a rigid region rotate by the first rotation that is given in it or in one that overlaps it.
@@ -360,6 +519,7 @@ class SystemBuilder {
   HandleSurroundings surroundings_;
   std::vector<Index> pinOf_;       // of each unknown: the row that pinned it last in a selection
   std::vector<bool> hasRotation_;  // of each unknown: its rotation is given
+  std::vector<MirrorPlanePairs> mirrors_;
   Index current_ = 0;
   ConstraintSystem system_;
 };

@@ -15,13 +15,14 @@ namespace holdfast {
 enum class RowKind {
   Position,  ///< where a point of the surface is; its part is taken to be that of its first unknown
   Region,    ///< how an unknown of a rigid region lies to the first one of it: the vector x_i - x_ref of (28)
-  Relative   ///< how one point of the surface lies to another: p_from - p_to, Fig. 8
+  Relative,  ///< how one point of the surface lies to another: p_from - p_to, Fig. 8
+  Mirrored   ///< how a vertex lies to its partner in a mirror: their sum along the normal, their difference across it
 };
 
 /// A row states one equation of B x = d, in the directions in which it holds.
 struct ConstraintRow {
   /// Holds the unknowns, ascending, with their coefficients. A pin is one term of weight 1. The coefficients of a
-  /// difference sum to 0. The difference of a point and itself has no terms at all.
+  /// difference sum to 0, those of a mirrored sum to 2. The difference of a point and itself has no terms at all.
   FewTerms terms;
   Vector3 target;        ///< d, model units
   Vector3 shift;         ///< d - B p at rest: what the row asks of the displacement
@@ -59,7 +60,7 @@ struct GivenRotation {
 /// A note says what is doubtful about an enabled constraint that is solved all the same.
 struct ConstraintNote {
   Index constraint = 0;  ///< place in the list
-  std::string kind;      ///< "unsaid_rotation", "undetermined_rotation", "rigid_region_of_one_vertex"
+  std::string kind;      ///< "unsaid_rotation", "unpaired_vertices", ...
   std::string message;   ///< one sentence for people, without the constraint's name
 };
 

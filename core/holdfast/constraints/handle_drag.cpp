@@ -77,6 +77,7 @@ struct Rotator {
 
   void operator()(std::monostate) const
   {
+    if (handle.scale != Vector3::Ones()) return rotateAbout(std::nullopt);
     handle.motion = AxisRotation{increment.axis, increment.degrees, increment.pivot - handle.translate};
   }
 
@@ -93,8 +94,9 @@ struct Rotator {
     moved.to = {origin + swing(increment, origin + handle.translate), R * motion.to.x.stableNormalized(),
                 R * motion.to.y.stableNormalized()};
     const AxisAngle turn = after();
-    if (const std::optional<Index> turns = wholeTurns(moved, logOf(turn))) {
-      moved.turns = *turns;
+    const std::optional<Index> turns = wholeTurns(moved, logOf(turn));
+    if (turns || !isUniform(handle.scale)) {
+      moved.turns = turns.value_or(0);
       handle.motion = std::move(moved);
     } else {
       handle.motion = AxisRotation{turn.axis, turn.degrees, from};

@@ -22,10 +22,10 @@ struct RigidIncrement {
 /// Returns the handle that goes where `handle` goes, and then by `increment`. `handle` has no mistake. A mere
 /// translation changes `HandleConstraint::translate` alone. No increment gives `handle` back, bit for bit. With a
 /// rotation the motion changes:
-/// - No motion, an `AxisRotation` and a `RotationAboutFixed` become an `AxisRotation`. It has their center, or the
-///   pivot where there was no motion.
+/// - No motion, an `AxisRotation` and a `RotationAboutFixed` become an `AxisRotation`. It has their center. Where there
+///   was no motion, its center is the pivot, or the centroid that the handle is scaled about.
 /// - The `to` of a `FrameMotion` moves. Where its frames are too nearly alike for whole turns, it becomes an
-///   `AxisRotation`.
+///   `AxisRotation`. Frames along which factors differ stay, and lose those turns.
 /// - Each place of `VertexTargets` moves. Beyond half a turn `rotations` say how the handle turns.
 /// Entries of `HandleConstraint::rotations` are rotated as well. Throws what `placeHandle` throws, and costs as much.
 [[nodiscard]] HandleConstraint composed(const HandleConstraint& handle, const RigidIncrement& increment,

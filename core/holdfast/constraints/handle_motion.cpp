@@ -32,6 +32,21 @@ struct RigidMotion {
   }
 };
 
+/// The vertices of a handle at rest, scaled. Where a factor is 1, coordinates along its axis keep their bits.
+Positions scaledRest(const HandleConstraint& handle, const HandleSetting& setting)
+{
+  if (handle.scale == Vector3::Ones()) return setting.rest;
+  const auto* turn = std::get_if<AxisRotation>(&handle.motion);
+  const auto* frames = std::get_if<FrameMotion>(&handle.motion);
+  std::optional<Vector3> center;
+  if (turn != nullptr) center = turn->center;
+  if (frames != nullptr) center = frames->from.origin;
+  const Eigen::Matrix3d axes = frames == nullptr ? Eigen::Matrix3d::Identity() : axesOf(frames->from);
+  const Eigen::Matrix3d growth = axes * (handle.scale - Vector3::Ones()).asDiagonal() * axes.transpose();
+  const Positions arms = setting.rest.rowwise() - center.value_or(centroid(setting)).transpose();
+  return setting.rest + arms * growth;
+}
+
 /// A unit vector is along a direction where what is across it is shorter than this.
 constexpr double kAlong = 1e-8;
 
@@ -186,6 +201,17 @@ PossibleError errorInFrame(const Frame& frame, const std::string& key)
   return std::nullopt;
 }
 
+PossibleError errorInScale(const HandleConstraint& handle)
+{
+  if (handle.scale == Vector3::Ones()) return std::nullopt;
+  if (std::holds_alternative<VertexTargets>(handle.motion))
+    return HandleError{".scale",
+                       "its vertices have targets of their own, which no scale changes; leave one of both out"};
+  for (const double factor : handle.scale)
+    if (!(factor > 0)) return HandleError{".scale", fmt::format("factors must be above 0, this is {}", factor)};
+  return std::nullopt;
+}
+
 struct MotionError {
   const HandleConstraint& handle;
 
@@ -230,7 +256,8 @@ Eigen::Matrix3d axesOf(const Frame& frame)
 
 HandlePlacement placeHandle(const HandleConstraint& handle, const HandleSetting& setting)
 {
-  const Placer placer{setting.rest, handle.translate, setting};
+  const Positions rest = scaledRest(handle, setting);
+  const Placer placer{rest, handle.translate, setting};
   HandlePlacement result = std::visit(placer, handle.motion);
   placer.requireRange(result.places);
   if (handle.rotations.empty()) return result;
@@ -281,6 +308,7 @@ Vector3 centroid(const HandleSetting& setting)
 
 std::optional<HandleError> validateHandle(const HandleConstraint& handle)
 {
+  if (PossibleError error = errorInScale(handle)) return error;
   if (PossibleError error = std::visit(MotionError{handle}, handle.motion)) return error;
   return handle.rotations.empty() ? std::nullopt : errorInList(handle, "rotations", handle.rotations.size());
 }

@@ -23,7 +23,7 @@ struct HandleError {
 
 /// Returns the first thing in the handle that contradicts what its type demands. Entries for each vertex need a list of
 /// distinct vertices, and as many entries as vertices. Targets must not be too few. Axes of frames must not be zero or
-/// parallel. Whole turns need an axis.
+/// parallel. Whole turns need an axis. Factors of the scale must be above 0, and targets have none.
 [[nodiscard]] std::optional<HandleError> validateHandle(const HandleConstraint& handle);
 
 /// Returns the mean of the rows of `points`, of which there is at least one.
@@ -69,6 +69,12 @@ inline constexpr double kNoDirection = 1e-9;
 /// about fixed vertices that do not exist, or that say no direction, or the opposite one. It refuses places beyond the
 /// range of doubles. O(vertices).
 [[nodiscard]] HandlePlacement placeHandle(const HandleConstraint& handle, const HandleSetting& setting);
+
+/// Tells whether a handle keeps its shape: one factor for all axes.
+[[nodiscard]] inline bool isUniform(const Vector3& scale)
+{
+  return scale.x() == scale.y() && scale.y() == scale.z();
+}
 
 /// Returns the axes of a frame as columns, orthonormal and right-handed.
 [[nodiscard]] Eigen::Matrix3d axesOf(const Frame& frame);

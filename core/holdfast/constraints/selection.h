@@ -85,18 +85,27 @@ struct NotIn {
   friend bool operator==(const NotIn&, const NotIn&);
 };
 
+/// Selects the vertices that its part selects, and all to which no more than `rings` edges lead from one of them.
+/// Vertices that are one unknown go together. A border with its next ring keeps its tangents.
+struct Grown {
+  std::shared_ptr<const Selection> part;
+  Index rings = 1;  ///< 0 or more
+
+  friend bool operator==(const Grown&, const Grown&);
+};
+
 /// One of the ways to select vertices. Two selections are equal where both are stated alike. Selections that differ may
 /// still name the same vertices.
 struct Selection {
-  std::variant<VertexIds, InBox, InSphere, InHalfSpace, InComponent, InsideCurve, AllOf, AnyOf, NotIn> what;
+  std::variant<VertexIds, InBox, InSphere, InHalfSpace, InComponent, InsideCurve, AllOf, AnyOf, NotIn, Grown> what;
 
   friend bool operator==(const Selection&, const Selection&);
 };
 
 /// Returns the ids that `selection` names, ascending, each once; there may be none. The selection has no id out of
-/// range and no curves. `componentOf` has the connected part of each vertex, -1 for a vertex that no face uses. Points
-/// on the boundary of a shape are inside. `AllOf` without parts is every vertex, `AnyOf` without parts is none. O(N)
-/// for each node of the expression.
+/// range, no curves and no rings. `componentOf` has the connected part of each vertex, -1 for a vertex that no face
+/// uses. Points on the boundary of a shape are inside. `AllOf` without parts is every vertex, `AnyOf` without parts is
+/// none. O(N) for each node of the expression.
 ///
 ///     const InHalfSpace back{{0, 1, 0}, {0, 1, 0}};
 ///     AllOf rim;  // of a hole, without its back

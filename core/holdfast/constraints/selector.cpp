@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -30,18 +31,22 @@ Vector3 moderate(const Vector3& normal)
   return normal.unaryExpr([&](double x) { return std::scalbn(x, -exponent); });
 }
 
-using VerticesWithin = std::function<std::vector<Index>(const InsideCurve&, const InputLocation&)>;
+/// What edges select, on meshes that have some.
+struct EdgeSelections {
+  std::function<std::vector<Index>(const InsideCurve&, const InputLocation&)> within;
+  std::function<std::vector<Index>(const std::vector<Index>&, Index rings)> around;
+};
 
 /// Walks an expression: checks its ids, and makes a mask of each kind of selection.
 class MaskMaker {
  public:
   MaskMaker(const Positions& positions, const std::vector<int>& componentOf, Index componentCount,
-            const std::vector<Index>& withoutPlace, VerticesWithin within)
+            const std::vector<Index>& withoutPlace, EdgeSelections byEdges)
       : positions_(positions),
         componentOf_(componentOf),
         componentCount_(componentCount),
         withoutPlace_(withoutPlace),
-        within_(std::move(within))
+        byEdges_(std::move(byEdges))
   {
   }
 
@@ -98,8 +103,15 @@ class MaskMaker {
 
   [[nodiscard]] Mask maskOf(const InsideCurve& curve, const InputLocation& where) const
   {
-    assert(within_);
-    return maskOf(VertexIds{within_(curve, below(where, ".curve"))}, where);
+    assert(byEdges_.within);
+    return maskOf(VertexIds{byEdges_.within(curve, below(where, ".curve"))}, where);
+  }
+
+  [[nodiscard]] Mask maskOf(const Grown& grown, const InputLocation& where) const
+  {
+    assert(byEdges_.around && grown.part != nullptr);
+    const std::vector<Index> part = idsOf(mask(*grown.part, below(where, ".grown.select")));
+    return maskOf(VertexIds{byEdges_.around(part, grown.rings)}, where);
   }
 
   [[nodiscard]] Mask maskOf(const AllOf& all, const InputLocation& where) const
@@ -144,7 +156,7 @@ class MaskMaker {
   const std::vector<int>& componentOf_;
   Index componentCount_;
   const std::vector<Index>& withoutPlace_;
-  VerticesWithin within_;  // of a curve
+  EdgeSelections byEdges_;
 };
 
 }  // namespace
@@ -164,6 +176,11 @@ bool operator==(const NotIn& x, const NotIn& y)
   return x.part == y.part || *x.part == *y.part;
 }
 
+bool operator==(const Grown& x, const Grown& y)
+{
+  return x.rings == y.rings && (x.part == y.part || *x.part == *y.part);
+}
+
 bool operator==(const Selection& x, const Selection& y)
 {
   return x.what == y.what;
@@ -178,7 +195,8 @@ std::vector<Index> Selector::select(const Selection& selection, const InputLocat
 {
   if (componentOf_.empty()) componentOf_ = componentOfVertices(solverMesh_);
   const MaskMaker maker(mesh_.positions, componentOf_, solverMesh_.componentCount, solverMesh_.withoutPlace,
-                        [this](const InsideCurve& curve, const InputLocation& place) { return within(curve, place); });
+                        {[this](const InsideCurve& curve, const InputLocation& place) { return within(curve, place); },
+                         [this](const std::vector<Index>& vertices, Index rings) { return around(vertices, rings); }});
   std::vector<Index> vertices = idsOf(maker.mask(selection, where));
   if (vertices.empty())
     throw InputError(where, "it selects no vertex of the mesh; check its place and size, or remove the constraint");
@@ -188,8 +206,7 @@ std::vector<Index> Selector::select(const Selection& selection, const InputLocat
 std::vector<Index> Selector::within(const InsideCurve& curve, const InputLocation& where)
 {
   const std::vector<Index> places = placesOf(curve, where);
-  if (!graph_) graph_.emplace(solverMesh_);
-  const CurveRegion region = regionOfCurve(*graph_, closedCurve(*graph_, places));
+  const CurveRegion region = regionOfCurve(graph(), closedCurve(graph(), places));
   if (region.inside.empty())
     throw InputError(
         where,
@@ -200,6 +217,32 @@ std::vector<Index> Selector::within(const InsideCurve& curve, const InputLocatio
   for (const std::vector<Index>& part :
        {region.curve, curve.side == CurveSide::Smaller ? region.inside : region.outside})
     for (const Index unknown : part) isSelected[unknown] = true;
+  return verticesWhere(isSelected);
+}
+
+std::vector<Index> Selector::around(const std::vector<Index>& vertices, Index rings)
+{
+  std::vector<bool> isSelected(static_cast<std::size_t>(solverMesh_.unknownCount()), false);
+  std::vector<Index> border;
+  const auto add = [&](Index unknown) {
+    if (!isSelected[unknown]) border.push_back(unknown);
+    isSelected[unknown] = true;
+  };
+  for (const Index v : vertices) add(solverMesh_.weld.unknownOf[v]);
+  for (Index ring = 0; ring < rings && !border.empty(); ++ring)
+    for (const Index unknown : std::exchange(border, {}))
+      for (const Index neighbour : graph().neighbours(unknown)) add(neighbour);
+  return verticesWhere(isSelected);
+}
+
+const EdgeGraph& Selector::graph()
+{
+  if (!graph_) graph_.emplace(solverMesh_);
+  return *graph_;
+}
+
+std::vector<Index> Selector::verticesWhere(const std::vector<bool>& isSelected) const
+{
   std::vector<Index> vertices;
   for (Index v = 0; v < mesh_.vertexCount(); ++v)
     if (isSelected[solverMesh_.weld.unknownOf[v]]) vertices.push_back(v);

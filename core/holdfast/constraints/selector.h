@@ -23,6 +23,9 @@ class Selector {
 
  private:
   [[nodiscard]] std::vector<Index> within(const InsideCurve& curve, const InputLocation& where);
+  [[nodiscard]] std::vector<Index> around(const std::vector<Index>& vertices, Index rings);
+  [[nodiscard]] const EdgeGraph& graph();
+  [[nodiscard]] std::vector<Index> verticesWhere(const std::vector<bool>& isSelected) const;
   [[nodiscard]] Index nearestVertex(const SurfaceLocation& location, const InputLocation& where);
   [[nodiscard]] std::vector<Index> placesOf(const InsideCurve& curve, const InputLocation& where);
 
@@ -30,7 +33,7 @@ class Selector {
   const SolverMesh& solverMesh_;
   std::vector<int> componentOf_;  // of vertices; made for the first selection
   SurfaceLocator locator_;
-  std::optional<EdgeGraph> graph_;  // made for the first curve
+  std::optional<EdgeGraph> graph_;  // made for the first curve or ring
 };
 
 }  // namespace holdfast

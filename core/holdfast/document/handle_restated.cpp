@@ -32,7 +32,7 @@ std::optional<Vector3> centroidAfter(const HandleConstraint& handle, const Eigen
   }
   const auto* turn = std::get_if<AxisRotation>(&handle.motion);
   if (turn == nullptr || !turn->center) return std::nullopt;
-  return Vector3(*turn->center + R * (centroid(setting) - *turn->center));
+  return Vector3(*turn->center + R * handle.scale.cwiseProduct(centroid(setting) - *turn->center));
 }
 
 std::optional<Vector3> centerOfFixed(const Model& model, const ConstraintList& list, Selector& selector,
@@ -69,7 +69,8 @@ HandleConstraint byFrames(const HandleConstraint& handle, const HandleSetting& s
   if (std::holds_alternative<FrameMotion>(handle.motion)) return handle;
   const AxisAngle turn = rotationOfMotion(handle, setting);
   const Eigen::Matrix3d R = rotationMatrix(turn.axis, turn.degrees);
-  const Eigen::Matrix3d from = principalAxes(setting.once(setting.rest));
+  const Eigen::Matrix3d from = isUniform(handle.scale) ? principalAxes(setting.once(setting.rest))
+                                                       : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   const Eigen::Matrix3d to = R * from;
   FrameMotion frames{
       {std::nullopt, from.col(0), from.col(1)}, {centroidAfter(handle, R, setting), to.col(0), to.col(1)}, 0};
@@ -95,6 +96,7 @@ HandleConstraint byTargets(const HandleConstraint& handle, const HandleSetting& 
   HandleConstraint result = handle;
   result.motion = std::move(targets);
   result.translate.setZero();
+  result.scale.setOnes();
   result = validated(std::move(result), setting);
   if ((placeHandle(result, setting).q - before.q).cwiseAbs().maxCoeff() > kSameRotation)
     result.rotations = withRotations(handle, setting).rotations;

@@ -4,7 +4,9 @@
 #include <set>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
+#include <holdfast/constraints/handle_motion.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/words/error.h>
@@ -48,12 +50,24 @@ class Mirror {
     std::visit([&](auto& on) { reflect(on); }, slide.on);
   }
 
+  void mirror(MirrorConstraint& own)
+  {
+    mirror(own.select);
+    reflectPlace(own.point);
+    reflectVector(own.normal);
+    for (auto& pair : own.pairs)
+      for (Index& vertex : pair) vertex = requiredCounterpart(vertex);
+  }
+
   void mirror(HandleConstraint& handle)
   {
     if (std::holds_alternative<VertexTargets>(handle.motion) || !handle.rotations.empty())
       mirrorEach(std::get<VertexIds>(handle.select.what));
     else
       mirror(handle.select);
+    if (!isUniform(handle.scale) && !std::holds_alternative<FrameMotion>(handle.motion) && !isAlongAxis())
+      throw InputError(
+          {}, "its factors are along coordinate axes, which this plane mirrors into others; scale it in a frame");
     reflectVector(handle.translate);
     for (AxisAngle& turn : handle.rotations) reflectTurn(turn);
     std::visit([&](auto& motion) { reflect(motion); }, handle.motion);
@@ -65,6 +79,8 @@ class Mirror {
     for (SurfaceLocation* at : {&what.from, &what.to}) *at = AtNear{reflected(restOf(*at))};
   }
 
+  [[nodiscard]] bool isAlongAxis() const { return plane_.normal.cwiseAbs().maxCoeff() == 1; }
+
   [[nodiscard]] Vector3 reflected(const Vector3& place) const
   {
     return place - 2 * plane_.normal.dot(place - plane_.point) * plane_.normal;
@@ -74,7 +90,7 @@ class Mirror {
   [[nodiscard]] decltype(PointConstraint::to) reflected(Coordinates coordinates, const Vector3& rest) const
   {
     const Vector3 place = coordinates.placeFrom(rest);
-    if (plane_.normal.cwiseAbs().maxCoeff() != 1) {
+    if (!isAlongAxis()) {
       const RowDirections held = coordinates.directions();
       if (held.areAlongAxis()) return OnPlane{place, held.axis(), 0};
       return OnLine{place, held.axis()};
@@ -158,14 +174,10 @@ class Mirror {
     }
     if (auto* all = std::get_if<AllOf>(&selection.what)) return mirror(all->parts);
     if (auto* any = std::get_if<AnyOf>(&selection.what)) return mirror(any->parts);
-    if (auto* no = std::get_if<NotIn>(&selection.what)) {
-      auto part = std::make_shared<Selection>(*no->part);
-      mirror(*part);
-      no->part = std::move(part);
-      return;
-    }
+    if (auto* no = std::get_if<NotIn>(&selection.what)) return mirror(no->part);
+    if (auto* grown = std::get_if<Grown>(&selection.what)) return mirror(grown->part);
     auto* box = std::get_if<InBox>(&selection.what);
-    if (box != nullptr && plane_.normal.cwiseAbs().maxCoeff() == 1) {
+    if (box != nullptr && isAlongAxis()) {
       const Vector3 a = reflected(box->min);
       const Vector3 b = reflected(box->max);
       *box = {a.cwiseMin(b), a.cwiseMax(b)};
@@ -184,6 +196,13 @@ class Mirror {
     selection.what = std::move(mirrored);
   }
 
+  void mirror(std::shared_ptr<const Selection>& part)
+  {
+    Selection copy = *part;
+    mirror(copy);
+    part = std::make_shared<const Selection>(std::move(copy));
+  }
+
   void mirror(std::vector<Selection>& parts)
   {
     for (Selection& part : parts) mirror(part);
@@ -194,10 +213,18 @@ class Mirror {
   {
     std::set<Index> taken;
     for (Index& vertex : vertices.ids) {
-      vertex = counterpart(vertex);
-      if (vertex < 0 || !taken.insert(vertex).second)
-        throw InputError({}, "its single vertices have no counterparts beyond the plane; take one motion for all");
+      vertex = requiredCounterpart(vertex);
+      if (!taken.insert(vertex).second)
+        throw InputError({},
+                         "two of its single vertices have one counterpart beyond the plane; take one motion for all");
     }
+  }
+
+  [[nodiscard]] Index requiredCounterpart(Index vertex) const
+  {
+    const Index found = counterpart(vertex);
+    if (found < 0) throw InputError({}, fmt::format("vertex {} has no counterpart beyond the plane", vertex));
+    return found;
   }
 
   const MirrorPlane& plane_;

@@ -29,20 +29,31 @@ bool isPositional(const RowTerms& row)
 }
 
 /// Unknowns of connected parts, loose unknowns among them, that no row places, not even by way of other parts.
+///
+/// A part that shifts takes others along by differences, and shifts them the opposite way by sums of two of its own and
+/// of theirs, as mirrors ask for. So each part is there twice: it and its opposite. A part is placed where it would
+/// have to be its own opposite.
 std::vector<bool> unplacedUnknowns(const std::vector<RowTerms>& rows, const SolverMesh& mesh)
 {
+  const Index count = mesh.componentCount + mesh.unknownCount();
   const auto partOf = [&](Index unknown) {
     const Index component = mesh.componentOf[unknown];
     return component >= 0 ? component : mesh.componentCount + unknown;
   };
-  DisjointSets parts(mesh.componentCount + mesh.unknownCount());
-  for (const RowTerms& row : rows)
-    for (const Term& term : row) parts.unite(partOf(row.front().index), partOf(term.index));
-  std::vector<bool> isPlaced(static_cast<std::size_t>(mesh.componentCount + mesh.unknownCount()), false);
-  for (const RowTerms& row : rows)
-    if (isPositional(row)) isPlaced[parts.find(partOf(row.front().index))] = true;
+  DisjointSets parts(2 * count);
+  for (const RowTerms& row : rows) {
+    if (row.empty()) continue;
+    const Index first = partOf(row.front().index);
+    const Index opposite = isPositional(row) ? count : 0;
+    if (row.size() == 1) parts.unite(first, first + count);
+    for (std::size_t k = 1; k < row.size(); ++k) {
+      const Index other = partOf(row[k].index);
+      parts.unite(first, other + opposite);
+      parts.unite(first + count, other + count - opposite);
+    }
+  }
   std::vector<bool> isHeld(static_cast<std::size_t>(mesh.unknownCount()), false);
-  for (Index u = 0; u < mesh.unknownCount(); ++u) isHeld[u] = !isPlaced[parts.find(partOf(u))];
+  for (Index u = 0; u < mesh.unknownCount(); ++u) isHeld[u] = parts.find(partOf(u)) != parts.find(partOf(u) + count);
   return isHeld;
 }
 

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
 
 #include <Eigen/Geometry>
 
 #include <holdfast/geometry/rotation_fit.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/mesh/index_lists.h>
-#include <holdfast/surface/triangle_tree.h>
+#include <holdfast/surface/place_tree.h>
 
 namespace holdfast {
 namespace {
@@ -78,24 +77,6 @@ std::optional<WholeMotion> motionOf(const ConstraintSystem& system, const RowLis
   return whole;
 }
 
-/// The point of `places` other than `own` that is nearest to `place`, by a tree of triangles that are points.
-Index nearestOf(const TriangleTree& tree, const TriangleTree::Boxes& boxes, const Positions& places,
-                const Vector3& place, Index own)
-{
-  Index nearest = -1;
-  double limit = std::numeric_limits<double>::max();
-  const auto entry = [&](const Eigen::AlignedBox3d& box, double most) {
-    const double square = box.squaredExteriorDistance(place);
-    return square > most ? TriangleTree::kNever : square;
-  };
-  tree.visit(boxes, entry, limit, [&](Index k) {
-    const double square = (places.row(k).transpose() - place).squaredNorm();
-    if (k != own && square < limit) std::tie(limit, nearest) = std::pair(square, k);
-    return false;
-  });
-  return nearest;
-}
-
 bool isSwap(const ConstraintRow& a, const ConstraintRow& b)
 {
   const double asStated = a.shift.norm() + b.shift.norm();
@@ -117,17 +98,12 @@ RowList movedPoints(const ConstraintSystem& system, const SolverMesh& mesh)
 std::vector<Index> swappedPoints(const ConstraintSystem& system, const RowList& moved)
 {
   Positions places(static_cast<Index>(moved.size()), 3);
-  std::vector<Triangle> triangles;
-  for (int k = 0; k < static_cast<int>(moved.size()); ++k) {
-    places.row(k) = placeAtRest(system.rows[moved[k]]);
-    triangles.push_back({k, k, k});
-  }
-  const TriangleTree tree(places, std::move(triangles));
-  const TriangleTree::Boxes boxes = tree.boxesAt(places);
+  for (Index k = 0; k < places.rows(); ++k) places.row(k) = placeAtRest(system.rows[moved[k]]);
+  const PlaceTree tree(places);
   std::vector<Index> swapped;
   for (Index k = 0; k < places.rows(); ++k) {
     const ConstraintRow& row = system.rows[moved[k]];
-    const Index other = nearestOf(tree, boxes, places, row.target, k);
+    const Index other = tree.nearest(row.target, std::numeric_limits<double>::max(), k);
     if (other >= 0 && isSwap(row, system.rows[moved[other]])) swapped.push_back(row.constraint);
   }
   return sortedOnce(std::move(swapped));

@@ -59,7 +59,7 @@ ConstraintList parsePoints(std::string_view text, const std::string& name)
   return parsePointListCsv(text, name);
 }
 
-enum class Outcome { kRead, kRefused };
+enum class Outcome { Read, Refused };
 
 /// Anything but a list or an `InputError` with a reason ends the test.
 template <class Parse>
@@ -67,13 +67,13 @@ Outcome outcomeOf(Parse parse, const std::string& text)
 {
   try {
     static_cast<void>(parse(text, "f"));
-    return Outcome::kRead;
+    return Outcome::Read;
   } catch (const InputError& error) {
     EXPECT_EQ(error.location().file, "f");
     EXPECT_FALSE(error.reason().empty());
     EXPECT_TRUE(error.location().line > 0 || !error.location().element.empty()) << error.what();
     EXPECT_LT(error.reason().size(), 2000U);
-    return Outcome::kRefused;
+    return Outcome::Refused;
   }
 }
 
@@ -110,7 +110,7 @@ TEST(ConstraintFileFuzz, EveryTruncationOfJsonIsRefused)
   const std::string text = constraintsToJson(test::randomConstraintList(random, 6));
   const std::size_t end = text.rfind('}');
   for (std::size_t length = 0; length <= end; ++length)
-    ASSERT_EQ(outcomeOf(parseConstraintsJson, text.substr(0, length)), Outcome::kRefused) << length;
+    ASSERT_EQ(outcomeOf(parseConstraintsJson, text.substr(0, length)), Outcome::Refused) << length;
 }
 
 TEST(ConstraintFileFuzz, MutatedCsvIsReadOrRefused)

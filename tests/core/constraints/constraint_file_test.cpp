@@ -66,6 +66,9 @@ TEST(ConstraintFile, ReadsEverySelection)
   EXPECT_EQ(selected<AnyOf>(R"({"any": [{"component": 4}]})").parts.size(), 1U);
   const NotIn none = selected<NotIn>(R"({"not": {"component": 4}})");
   EXPECT_EQ(std::get<InComponent>(none.part->what).component, 4);
+  const Grown grown = selected<Grown>(R"({"grown": {"select": {"component": 4}, "rings": 3}})");
+  EXPECT_EQ(std::get<InComponent>(grown.part->what).component, 4);
+  EXPECT_EQ(grown.rings, 3);
 }
 
 TEST(ConstraintFile, ReadsEveryLocation)

@@ -199,7 +199,7 @@ TEST(CurveSelector, WorksInsideOtherSelections)
   const std::vector<Index> above = selected(mesh, top);
   std::vector<Index> expected;
   std::set_difference(above.begin(), above.end(), inside.begin(), inside.end(), std::back_inserter(expected));
-  EXPECT_EQ(selected(mesh, {AllOf{{top, {NotIn{std::make_shared<const Selection>(curve)}}}}}), expected);
+  EXPECT_EQ(selected(mesh, {AllOf{{top, {NotIn{std::make_shared<const Selection>(Selection{curve})}}}}}), expected);
   expected.clear();
   std::set_union(above.begin(), above.end(), inside.begin(), inside.end(), std::back_inserter(expected));
   EXPECT_EQ(selected(mesh, {AnyOf{{top, curve}}}), expected);
@@ -243,7 +243,8 @@ TEST(CurveSelector, RefusesPlacesThatMakeNoCurve)
               HasSubstr("lies on part 1 of the mesh, through[0] on part 0"));
   EXPECT_THAT(refusal(mesh, {through({0, 67, 20})}, ".curve.through[1]"), HasSubstr("no face uses vertex 67"));
   EXPECT_THAT(refusal(mesh, {through({})}, ".curve"), HasSubstr("does not divide"));
-  const Selection nested{AnyOf{{{InComponent{0}}, {NotIn{std::make_shared<const Selection>(through({0, -1, 2}))}}}}};
+  const Selection nested{
+      AnyOf{{{InComponent{0}}, {NotIn{std::make_shared<const Selection>(Selection{through({0, -1, 2})})}}}}};
   EXPECT_THAT(refusal(mesh, nested, ".any[1].not.curve.through[1].vertex"), HasSubstr("no vertex -1"));
 }
 

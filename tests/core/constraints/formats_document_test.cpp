@@ -72,8 +72,8 @@ TEST(FormatsDocument, CompleteExampleHasEveryType)
   const ConstraintList list = parseConstraintsJson(examples[0], kDocument);
   EXPECT_EQ(list.units, "mm");
   EXPECT_THAT(countsByType(list),
-              ElementsAre(Pair("coincident", 1), Pair("fixed", 1), Pair("handle", 1), Pair("point", 4),
-                          Pair("relative", 1), Pair("rigid", 1), Pair("slide", 1)));
+              ElementsAre(Pair("coincident", 1), Pair("fixed", 1), Pair("handle", 1), Pair("mirror", 1),
+                          Pair("point", 4), Pair("relative", 1), Pair("rigid", 1), Pair("slide", 1)));
   EXPECT_EQ(list.constraints[5].name, "point 6");
   EXPECT_FALSE(list.constraints[2].isEnabled);
 }

@@ -31,7 +31,7 @@ struct Scene {
   Scene()
   {
     for (int v = 0; v < 216; ++v) {
-      positions.row(v) << static_cast<double>(v % 6), static_cast<double>(v / 6 % 6), static_cast<double>(v / 36);
+      positions.row(v) = Eigen::RowVector3i(v % 6, v / 6 % 6, v / 36).cast<double>();
       componentOf.push_back(v % 7 == 0 ? -1 : v % 3);
     }
   }
@@ -67,6 +67,7 @@ struct Contains {
   }
   bool operator()(const InComponent& s) const { return scene.componentOf[v] == s.component; }
   bool operator()(const InsideCurve& /*curve*/) const { return false; }  // of meshes with faces only
+  bool operator()(const Grown& /*grown*/) const { return false; }        // likewise
   bool operator()(const AllOf& s) const
   {
     for (const Selection& part : s.parts)

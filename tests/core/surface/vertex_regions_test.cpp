@@ -20,8 +20,8 @@ using testing::ElementsAreArray;
 using testing::IsEmpty;
 
 /// A mesh and what grows on it.
-struct Grown {
-  explicit Grown(Mesh mesh) : model(makeModel(std::move(mesh), "mesh")) {}
+struct GrowingRegions {
+  explicit GrowingRegions(Mesh mesh) : model(makeModel(std::move(mesh), "mesh")) {}
 
   Model model;
   VertexRegions regions{model.mesh, model.solverMesh};
@@ -66,7 +66,7 @@ TEST(VertexRegions, GrowByTheVerticesOfTheTrianglesAround)
   test::Random random(21);
   for (const test::NamedMesh& named : test::lawMeshes()) {
     SCOPED_TRACE(named.name);
-    const Grown grown(named.mesh);
+    const GrowingRegions grown(named.mesh);
     const std::vector<Index> set{random.integer(0, named.mesh.vertexCount() - 1)};
     EXPECT_THAT(grown.regions.grown(set), ElementsAreArray(plainlyGrown(grown.model, set)));
   }
@@ -77,7 +77,7 @@ TEST(VertexRegions, ShrinkByWhatTheRestWouldGrow)
   test::Random random(22);
   for (const test::NamedMesh& named : test::lawMeshes()) {
     SCOPED_TRACE(named.name);
-    const Grown grown(named.mesh);
+    const GrowingRegions grown(named.mesh);
     const std::vector<Index> set = randomSet(random, named.mesh.vertexCount());
     const VertexRegions& regions = grown.regions;
     EXPECT_EQ(regions.shrunk(set), regions.inverted(regions.grown(regions.inverted(set))));
@@ -87,7 +87,7 @@ TEST(VertexRegions, ShrinkByWhatTheRestWouldGrow)
 
 TEST(VertexRegions, ShrinkingKeepsBordersOfTheMesh)
 {
-  const Grown grown(test::grid(3, 2));
+  const GrowingRegions grown(test::grid(3, 2));
   EXPECT_EQ(grown.regions.shrunk(grown.regions.inverted({})).size(), 12U) << "all of an open mesh stays all";
   EXPECT_THAT(grown.regions.shrunk(std::vector<Index>{0, 1, 4, 5, 8, 9}), ElementsAre(0, 4, 8));
 }
@@ -95,7 +95,7 @@ TEST(VertexRegions, ShrinkingKeepsBordersOfTheMesh)
 TEST(VertexRegions, ConnectedPartsAreWhole)
 {
   const Mesh mesh = test::withVertex(test::merged(test::tetrahedron(), test::grid(1, 1)), {9, 9, 9});
-  const Grown grown(mesh);
+  const GrowingRegions grown(mesh);
   EXPECT_THAT(grown.regions.connected(std::vector<Index>{2}), ElementsAre(0, 1, 2, 3));
   EXPECT_THAT(grown.regions.connected(std::vector<Index>{7}), ElementsAre(4, 5, 6, 7));
   EXPECT_THAT(grown.regions.connected(std::vector<Index>{8}), ElementsAre(8)) << "no face uses it";
@@ -104,7 +104,7 @@ TEST(VertexRegions, ConnectedPartsAreWhole)
 
 TEST(VertexRegions, InvertingLeavesOutVerticesThatNoFaceUses)
 {
-  const Grown grown(test::withVertex(test::tetrahedron(), {9, 9, 9}));
+  const GrowingRegions grown(test::withVertex(test::tetrahedron(), {9, 9, 9}));
   EXPECT_THAT(grown.regions.inverted({}), ElementsAre(0, 1, 2, 3));
 }
 
@@ -124,8 +124,8 @@ TEST(VertexRegions, VerticesOfOneUnknownGoTogether)
       if (std::binary_search(set.begin(), set.end(), vertexOf[v])) result.push_back(static_cast<Index>(v));
     return result;
   };
-  Grown a(whole);
-  Grown b(parts);
+  GrowingRegions a(whole);
+  GrowingRegions b(parts);
   const std::vector<Index> one{5};
   const std::vector<Index> oneOfSeveral{
       static_cast<Index>(std::find(vertexOf.begin(), vertexOf.end(), 5) - vertexOf.begin())};
@@ -140,7 +140,7 @@ TEST(VertexRegions, VerticesOfOneUnknownGoTogether)
 
 TEST(VertexRegions, SmoothRegionsHoldTheVerticesOfTheirFaces)
 {
-  const Grown grown(test::box({1, 1, 1}, 3));
+  const GrowingRegions grown(test::box({1, 1, 1}, 3));
   const std::vector<Index> side = grown.regions.smooth(0, 30);
   EXPECT_EQ(side.size(), 16U);
   int flat = 0;
@@ -153,7 +153,7 @@ TEST(VertexRegions, SmoothRegionsHoldTheVerticesOfTheirFaces)
 }
 
 /// The dab, by growing a set ring by ring until nothing comes in.
-std::vector<Index> plainDab(const Grown& grown, double radius, const Vector3& place, Index face,
+std::vector<Index> plainDab(const GrowingRegions& grown, double radius, const Vector3& place, Index face,
                             const Positions& positions)
 {
   const auto isInside = [&](Index v) { return (positions.row(v).transpose() - place).norm() <= radius; };
@@ -174,7 +174,7 @@ TEST(VertexRegions, DabsAreWhatEdgesReachWithinTheBall)
   std::size_t total = 0;
   for (const test::NamedMesh& named : test::lawMeshes()) {
     SCOPED_TRACE(named.name);
-    Grown grown(named.mesh);
+    GrowingRegions grown(named.mesh);
     const Positions positions = 1.5 * named.mesh.positions;
     for (int k = 0; k < 30; ++k) {
       const Index face = random.integer(0, named.mesh.faces.size() - 1);
@@ -191,7 +191,7 @@ TEST(VertexRegions, DabsAreWhatEdgesReachWithinTheBall)
 TEST(VertexRegions, DabsStayOnTheirSideOfAThinWall)
 {
   constexpr Index kDivisions = 10;
-  Grown grown(test::box({10, 10, 0.1}, kDivisions));
+  GrowingRegions grown(test::box({10, 10, 0.1}, kDivisions));
   const Positions& positions = grown.model.mesh.positions;
   const double top = positions.col(2).maxCoeff();
   Index face = 0;
@@ -211,7 +211,7 @@ TEST(VertexRegions, DabsStayOnTheirSideOfAThinWall)
 
 TEST(VertexRegions, DabsWithoutACornerInReachAreEmpty)
 {
-  Grown grown(test::grid(2, 2));
+  GrowingRegions grown(test::grid(2, 2));
   EXPECT_THAT(grown.regions.within(0.1, {0.5, 0.25, 0}, 0, grown.model.mesh.positions), IsEmpty());
   EXPECT_THAT(grown.regions.within(0, {0, 0, 0}, 0, grown.model.mesh.positions), ElementsAre(0));
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include <holdfast/constraints/selector.h>
@@ -24,6 +25,7 @@ MarkKind kindOf(std::size_t corners)
 MarkKind kindOf(const ConstraintRow& row)
 {
   if (row.kind == RowKind::Region) return MarkKind::Rigid;
+  if (row.kind == RowKind::Mirrored) return MarkKind::Selection;
   return row.kind == RowKind::Relative ? MarkKind::Relative : kindOf(static_cast<std::size_t>(row.corners));
 }
 
@@ -54,6 +56,18 @@ Index heaviest(std::span<const Term> terms)
   return std::ranges::max_element(terms, {}, &Term::coefficient)->index;
 }
 
+/// At the first of two partners: no place of the surface lies between them.
+ConstraintMark markOfPartner(const ConstraintRow& row, const Model& model, const Positions& positions)
+{
+  const Index unknown = row.terms.front().index;
+  const Index vertex = model.solverMesh.weld.firstVertexOf[unknown];
+  const Vector3 place = positions.row(vertex);
+  ConstraintMark mark{place, place};
+  mark.rest = model.mesh.positions.row(vertex);
+  mark.nearest = unknown;
+  return mark;
+}
+
 /// A row that says how one place lies to another acts on the one.
 ConstraintMark markOf(const ConstraintRow& row, const Model& model, const Positions& positions)
 {
@@ -64,6 +78,7 @@ ConstraintMark markOf(const ConstraintRow& row, const Model& model, const Positi
   mark.rest = rest.sum;
   mark.nearest = heaviest(row.terms);
   if (row.kind == RowKind::Position) return mark;
+  if (row.kind == RowKind::Mirrored) return markOfPartner(row, model, positions);
   mark.place = acts.sum / acts.weight;
   mark.target = mark.place + (row.target - (acts.sum + refers.sum)) / acts.weight;
   mark.rest = rest.sum / rest.weight;
@@ -107,6 +122,11 @@ class DisabledMarks {
   std::vector<ConstraintMark> marksOf(const SlideConstraint& slide, Index place)
   {
     return ofSelection(slide.select, MarkKind::Selection, place);
+  }
+
+  std::vector<ConstraintMark> marksOf(const MirrorConstraint& mirror, Index place)
+  {
+    return ofSelection(mirror.select, MarkKind::Selection, place);
   }
 
   std::vector<ConstraintMark> marksOf(const PointConstraint& point, Index place)
@@ -195,7 +215,9 @@ std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResu
     mark.status = rowStatus(*deformation.details, static_cast<Index>(r));
     mark.kind = kindOf(row);
     mark.constraint = row.constraint;
-    if (!isSinglePoint(mark.kind))
+    if (row.kind == RowKind::Mirrored)
+      std::tie(mark.unknown, mark.reference) = std::pair(row.terms[0].index, row.terms[1].index);
+    else if (!isSinglePoint(mark.kind))
       for (const Term& term : row.terms) (term.coefficient < 0 ? mark.reference : mark.unknown) = term.index;
     marks.push_back(std::move(mark));
   }

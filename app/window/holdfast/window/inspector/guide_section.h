@@ -6,6 +6,14 @@
 
 namespace holdfast {
 
+/// Sets one number of a direction. Throws `InputError` where nothing but zeros is left.
+inline void setDirection(Vector3& direction, int axis, double number)
+{
+  direction[axis] = number;
+  if (direction.isZero(0))
+    throw InputError({}, "a direction cannot be zero in x, y and z; type the new direction first, then this 0");
+}
+
 /// `On` is the member that holds an `OnPlane`, an `OnLine` or something else.
 template <class What, auto On>
 class GuideSection : public SectionOf<What> {
@@ -47,13 +55,6 @@ class GuideSection : public SectionOf<What> {
       const Guide* guide = std::get_if<Guide>(&(what.*On));
       return guide == nullptr ? std::nullopt : std::optional(guide->*member);
     };
-  }
-
-  static void setDirection(Vector3& direction, int axis, double number)
-  {
-    direction[axis] = number;
-    if (direction.isZero(0))
-      throw InputError({}, "a direction cannot be zero in x, y and z; type the new direction first, then this 0");
   }
 };
 

@@ -95,6 +95,18 @@ class HandleSection : public SectionOf<HandleConstraint> {
         tr("Sh&ift"), "handleTranslation", [](const HandleConstraint& handle) { return handle.translate; },
         tr("move %1 to %2 = %3"),
         [](HandleConstraint& handle, int axis, double number) { handle.translate[axis] = number; });
+    explain(bindVector(
+                tr("Sca&le"), "handleScale",
+                [](const HandleConstraint& handle) {
+                  return std::holds_alternative<VertexTargets>(handle.motion) ? std::nullopt
+                                                                              : std::optional(handle.scale);
+                },
+                tr("scale %1 by %2 = %3"),
+                [](HandleConstraint& handle, int axis, double number) {
+                  handle.scale[axis] = number;
+                  requireValid(handle);
+                }),
+            tr("Factors along the axes of its frame, else of coordinates; 1 keeps the size"));
   }
 
  private:

@@ -234,6 +234,9 @@ using Sections = std::vector<InspectorSection*>;
 [[nodiscard]] Sections newHandleSections(Editor& editor);
 /// Makes a section that shows on what the vertices of slide constraints stay, and whether that may shift.
 [[nodiscard]] Sections newSlideSections(Editor& editor);
+/// Makes a section that shows across which plane mirror constraints keep the surface symmetric, and with which
+/// partners.
+[[nodiscard]] Sections newMirrorSections(Editor& editor);
 /// Makes sections that show which places relative constraints keep together, and how.
 [[nodiscard]] Sections newRelativeSections(Editor& editor);
 /// Makes sections that show whether constraints hold and how hard they pull. Of several constraints they show the
@@ -241,7 +244,7 @@ using Sections = std::vector<InspectorSection*>;
 [[nodiscard]] Sections newOutcomeSections(Editor& editor);
 
 /// Makes the sections of the panel, from its top.
-inline constexpr std::array kNewSections{newPointSections, newVerticesSections, newHandleSections,
-                                         newSlideSections, newRelativeSections, newOutcomeSections};
+inline constexpr std::array kNewSections{newPointSections,  newVerticesSections, newHandleSections, newSlideSections,
+                                         newMirrorSections, newRelativeSections, newOutcomeSections};
 
 }  // namespace holdfast

@@ -295,7 +295,7 @@ class TargetSection : public GuideSection<PointConstraint, &PointConstraint::to>
   /// A coordinate that was free is prescribed from then on.
   void setPlace(PointConstraint& point, int axis, double number) const
   {
-    const Vector3 rest = requireRestPlace(editor(), point.at);
+    Vector3 rest = requireRestPlace(editor(), point.at);
     if (auto* coordinates = std::get_if<Coordinates>(&point.to)) {
       coordinates->values[static_cast<std::size_t>(axis)] = number;
       if (freeSetOf(*coordinates) == 0) point.to = Target{coordinates->placeFrom(rest)};

@@ -58,6 +58,10 @@ struct SelectionText {
   }
   QString operator()(const AnyOf& any) const { return joined(any.parts, QObject::tr(" or "), QObject::tr("nothing")); }
   QString operator()(const NotIn& no) const { return QObject::tr("not %1").arg(inner(*no.part)); }
+  QString operator()(const Grown& grown) const
+  {
+    return QObject::tr("%1 with %2").arg(inner(*grown.part), countText(grown.rings, "1 ring", "%1 rings"));
+  }
 
  private:
   // Describes one level in words, and deeper levels by their kind only.
@@ -66,6 +70,7 @@ struct SelectionText {
     if (std::holds_alternative<AllOf>(selection.what)) return QObject::tr("(several at once)");
     if (std::holds_alternative<AnyOf>(selection.what)) return QObject::tr("(any of several)");
     if (std::holds_alternative<NotIn>(selection.what)) return QObject::tr("(all but some)");
+    if (std::holds_alternative<Grown>(selection.what)) return QObject::tr("(some with rings)");
     return selectionText(selection);
   }
 

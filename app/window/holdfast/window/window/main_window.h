@@ -61,6 +61,7 @@ class MainWindow : public QMainWindow {
   void makeEditMenu();
   void makeConstraintMenu();
   void makeSelectionMenu();
+  void keepSymmetric();
   void addMirrors(QMenu& menu);
   void askForSectionPlane();
   void selectBesidePlane();

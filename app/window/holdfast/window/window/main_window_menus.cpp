@@ -7,6 +7,7 @@
 #include <QTableView>
 #include <QToolBar>
 
+#include <holdfast/constraints/mirror_pairs.h>
 #include <holdfast/geometry/bounding_box.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/theme.h>
@@ -206,6 +207,10 @@ void MainWindow::makeConstraintMenu()
        {"makeSlide", tr("Let it &slide in its plane"), "G",
         tr("The selected vertices move in the plane that lies nearest to them"), Needs::Vertices,
         constrain("slide ", SlideConstraint{{}, FittedPlane{}, false})},
+       {"makeMirror", tr("Keep it s&ymmetric"), "Shift+M",
+        tr("The surface, or what is selected of it, stays its own mirror image: across the section plane, else across "
+           "the plane of symmetry that it has"),
+        Needs::Document, [this] { keepSymmetric(); }},
        kSeparator,
        {"toggleEnabled", tr("&Enable or disable"), "E", tr("Disable the selected constraints, or enable them again"),
         Needs::Constraints, [this] { toggleConstraints(editor_, Rows(editor_.selectedConstraints())); }},
@@ -230,6 +235,24 @@ void MainWindow::selectBesidePlane()
   for (Index v = 0; v < editor_.positions().rows(); ++v)
     if (isKept(*section, editor_.positions().row(v))) kept.push_back(v);
   editor_.selectVertices(viewport_->shownAmong(std::move(kept)));
+}
+
+void MainWindow::keepSymmetric()
+{
+  std::optional<MirrorConstraint> mirror;
+  const SolverMesh& mesh = editor_.model()->solverMesh;
+  if (const auto& section = viewport_->section())
+    mirror = MirrorConstraint{section->origin, section->normal, {}, {AllOf{}}, {}};
+  else
+    mirror = symmetryOf(mesh.rest, kMirrorTolerance * mesh.diagonal);
+  if (!mirror)
+    return showProblem(
+        this, tr("There is no plane of symmetry."),
+        tr("Across no plane along the axes, through 0 or through the middle, have most vertices partners. "
+           "Lay the section plane where the mirror should be, and try again."));
+  if (!editor_.selectedVertices().empty()) mirror->select = editor_.selection();
+  editor_.selectVertices({});
+  addConstraint(editor_, "mirror ", *mirror);
 }
 
 void MainWindow::addMirrors(QMenu& menu)
