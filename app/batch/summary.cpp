@@ -87,6 +87,22 @@ std::string placesLine(const ConstraintOutcomes& constraints, const std::string&
                      withUnits(farthest, units));
 }
 
+std::string toleranceLine(const ConstraintOutcomes& constraints, const std::string& units)
+{
+  Index count = 0;
+  Index atBound = 0;
+  double farthest = 0;
+  for (const ConstraintOutcome& outcome : constraints) {
+    if (!outcome.offTarget) continue;
+    ++count;
+    if (outcome.isAtBound.value_or(false)) ++atBound;
+    farthest = std::max(farthest, *outcome.offTarget);
+  }
+  if (count == 0) return "";
+  return fmt::format("tolerances   {} at most {} from their targets, {} at a bound\n", counted(count, "point"),
+                     withUnits(farthest, units), atBound);
+}
+
 std::string pullLine(const ConstraintOutcomes& constraints)
 {
   std::vector<const ConstraintOutcome*> pulling;
@@ -197,7 +213,7 @@ std::string summary(const Report& report, const std::string& meshName, const std
     text += fmt::format("skipped      {} of the point list\n",
                         counted(static_cast<Index>(report.skippedRows.size()), "bad row"));
   if (report.solve.status != SolveStatus::NotRun) text += solveLines(report.solve, units);
-  return text + resultLine(report.result) + pullLine(report.constraints);
+  return text + resultLine(report.result) + toleranceLine(report.constraints, units) + pullLine(report.constraints);
 }
 
 std::string optionsLine(const StatedOptions& asked, const StatedOptions& session, const std::string& source)

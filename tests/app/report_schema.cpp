@@ -35,6 +35,11 @@ bool isNull(const Json& value)
   return value.is_null();
 }
 
+bool isFlagOrNull(const Json& value)
+{
+  return value.is_null() || value.is_boolean();
+}
+
 bool isLengthOrNull(const Json& value)
 {
   return value.is_null() || isLength(value);
@@ -156,7 +161,9 @@ void checkConstraint(Complaints& complaints, const Json& constraint, SolveState 
        {"clashes", isArray},
        {"clash_count", isCount},
        {"amplification", isLengthOrNull},
-       {"force", isSolved ? Predicate(isLengthOrNull) : Predicate(isNull)}});
+       {"force", isSolved ? Predicate(isLengthOrNull) : Predicate(isNull)},
+       {"off_target", isSolved ? Predicate(isLengthOrNull) : Predicate(isNull)},
+       {"at_bound", isSolved ? Predicate(isFlagOrNull) : Predicate(isNull)}});
   for (const Json& conflictSet : constraint.value("clashes", Json::array())) checkConflictSet(complaints, conflictSet);
 }
 

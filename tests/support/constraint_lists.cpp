@@ -176,6 +176,24 @@ decltype(PointConstraint::to) randomGoal(Random& random)
   }
 }
 
+PointTolerance randomTolerance(Random& random)
+{
+  const double size = random.uniform(0.1, 2);
+  switch (random.integer(0, 5)) {
+    case 0:
+      return WithinBall{size};
+    case 1:
+      return WithinBox{{size, 1e-300, 3}};
+    case 2:
+      return WithinSlab{-size, randomNumber(random) > 0 ? size : std::numeric_limits<double>::infinity(),
+                        randomDirection(random)};
+    case 3:
+      return Weighted{size};
+    default:
+      return Exactly{};
+  }
+}
+
 /// A plane or a line, given or to be fitted.
 SlideConstraint randomSlide(Random& random)
 {
@@ -204,8 +222,11 @@ decltype(Constraint::what) randomWhat(Random& random)
       return FixedConstraint{randomSelection(random, 3)};
     case 1:
       return randomHandle(random);
-    case 2:
-      return PointConstraint{randomLocation(random), randomGoal(random)};
+    case 2: {
+      PointConstraint point{randomLocation(random), randomGoal(random)};
+      if (point.directions().areAll()) point.within = randomTolerance(random);
+      return point;
+    }
     case 3:
       return RigidConstraint{randomSelection(random, 3)};
     case 4:
@@ -318,8 +339,16 @@ struct Same {
   }
   bool operator()(const PointConstraint& a, const PointConstraint& b) const
   {
-    return (*this)(a.at, b.at) && (*this)(a.to, b.to);
+    return (*this)(a.at, b.at) && (*this)(a.to, b.to) && (*this)(a.within, b.within);
   }
+  bool operator()(const Exactly& /*a*/, const Exactly& /*b*/) const { return true; }
+  bool operator()(const WithinBall& a, const WithinBall& b) const { return (*this)(a.radius, b.radius); }
+  bool operator()(const WithinBox& a, const WithinBox& b) const { return (*this)(a.half, b.half); }
+  bool operator()(const WithinSlab& a, const WithinSlab& b) const
+  {
+    return (*this)(a.low, b.low) && (*this)(a.high, b.high) && (*this)(a.normal, b.normal);
+  }
+  bool operator()(const Weighted& a, const Weighted& b) const { return (*this)(a.weight, b.weight); }
   bool operator()(const FittedPlane& /*a*/, const FittedPlane& /*b*/) const { return true; }
   bool operator()(const FittedLine& /*a*/, const FittedLine& /*b*/) const { return true; }
   bool operator()(const SlideConstraint& a, const SlideConstraint& b) const

@@ -216,6 +216,8 @@ class Verifier {
   void addPoint(const Json& point)
   {
     const Terms terms = termsOf(point.at("at"));
+    if (point.contains("within")) return note(beyond(point.at("within"), offsetOf(point, terms)));
+    if (point.contains("weight")) return note(0);
     if (point.contains("on"))
       return note(distanceFrom(point.at("on"), placeOf(rest_, terms), placeOf(written_, terms)));
     if (hasFreeCoordinates(point)) return measureCoordinates(terms, point.at("target"));
@@ -225,6 +227,33 @@ class Verifier {
     const Place move = point.at("move").get<Place>();
     for (std::size_t k = 0; k < 3; ++k) target[k] += move[k];
     measure(terms, target);
+  }
+
+  /// From its target to where a point went.
+  [[nodiscard]] Arm offsetOf(const Json& point, const Terms& terms) const
+  {
+    const Arm went = armOf(placeOf(written_, terms));
+    if (point.contains("target")) return went - armOf(point.at("target").get<Place>());
+    return went - armOf(placeOf(rest_, terms)) - armOf(point.at("move").get<Place>());
+  }
+
+  /// How far an offset is from what a tolerance allows.
+  static double beyond(const Json& within, const Arm& offset)
+  {
+    const auto above = [](Real value, const Json& most) -> Real {
+      return most.is_null() ? 0 : std::max<Real>(0, value - most.get<double>());
+    };
+    if (within.contains("ball")) return static_cast<double>(above(offset.norm(), within.at("ball")));
+    Real most = 0;
+    if (within.contains("box"))
+      for (int k = 0; k < 3; ++k) most = std::max(most, above(std::abs(offset[k]), within.at("box").at(k)));
+    if (within.contains("slab")) {
+      const Real along = armOf(within.at("normal").get<Place>()).normalized().dot(offset);
+      const Json& low = within.at("slab").at(0);
+      most = above(along, within.at("slab").at(1));
+      if (!low.is_null()) most = std::max<Real>(most, low.get<double>() - along);
+    }
+    return static_cast<double>(most);
   }
 
   static bool hasFreeCoordinates(const Json& point)

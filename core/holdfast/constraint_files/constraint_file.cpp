@@ -63,7 +63,10 @@ struct HasRings {
 /// Tells the first version whose programs read a constraint, but for its selection.
 struct FirstVersion {
   Index operator()(const HandleConstraint& handle) const { return handle.scale == Vector3::Ones() ? 1 : 2; }
-  Index operator()(const PointConstraint& point) const { return point.directions().areAll() ? 1 : 2; }
+  Index operator()(const PointConstraint& point) const
+  {
+    return point.directions().areAll() && std::holds_alternative<Exactly>(point.within) ? 1 : 2;
+  }
   Index operator()(const SlideConstraint& /*slide*/) const { return 2; }
   Index operator()(const CoincidentConstraint& /*coincident*/) const { return 2; }
   Index operator()(const MirrorConstraint& /*mirror*/) const { return 2; }

@@ -82,6 +82,7 @@ class JsonReader {
 
   [[nodiscard]] bool isText() const noexcept { return value_->is_string(); }
   [[nodiscard]] bool isList() const noexcept { return value_->is_array(); }
+  [[nodiscard]] bool isNull() const noexcept { return value_->is_null(); }
   [[nodiscard]] bool boolean() const { return as<bool>("true or false"); }
   [[nodiscard]] double number() const;
   /// Returns an integer that fits into 64 bits. It must be written without point and exponent.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include <holdfast/constraint_files/constraint_file_internal.h>
@@ -131,7 +132,8 @@ constexpr std::array<std::string_view, 5> kRegionKeys{"type", "name", "enabled",
 constexpr std::array<std::string_view, 14> kHandleKeys{"type",      "name",      "enabled",   "extra", "select",
                                                        "rings",     "rotate",    "turn",      "frame", "targets",
                                                        "translate", "turn_near", "rotations", "scale"};
-constexpr std::array<std::string_view, 8> kPointKeys{"type", "name", "enabled", "extra", "at", "target", "move", "on"};
+constexpr std::array<std::string_view, 10> kPointKeys{"type",   "name", "enabled", "extra",  "at",
+                                                      "target", "move", "on",      "within", "weight"};
 constexpr std::array<std::string_view, 8> kMirrorKeys{"type",  "name",      "enabled", "extra",
                                                       "plane", "tolerance", "select",  "pairs"};
 constexpr std::array<std::string_view, 7> kSlideKeys{"type", "name", "enabled", "extra", "select", "on", "together"};
@@ -192,9 +194,46 @@ Goal readGoal(const JsonReader& json)
   return Move{json[key].vector()};
 }
 
+constexpr std::array<std::string_view, 3> kTolerances{"ball", "box", "slab"};
+
+/// A bound of a slab; null where there is none.
+double readBound(const JsonReader& json, double none)
+{
+  return json.isNull() ? none : json.number();
+}
+
+PointTolerance readWithin(const JsonReader& json)
+{
+  json.requireKeys({"ball", "box", "slab", "normal"});
+  const std::string_view kind = json.oneKeyOf(kTolerances);
+  if (kind != "slab" && json.has("normal")) json["normal"].fail("only a slab has a normal; leave it out");
+  if (kind == "ball") return WithinBall{json["ball"].number()};
+  if (kind == "box") return WithinBox{json["box"].vector()};
+  const JsonReader slab = json["slab"];
+  slab.requireSize(2, "the bounds [low, high], of which one may be null");
+  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+  return WithinSlab{readBound(slab.element(0), -kUnbounded), readBound(slab.element(1), kUnbounded),
+                    json["normal"].direction()};
+}
+
+PointTolerance readTolerance(const JsonReader& point)
+{
+  if (point.has("within") && point.has("weight"))
+    point["weight"].fail(R"("within" says already how near the point comes; leave one of both out)");
+  if (point.has("within")) return readWithin(point["within"]);
+  if (point.has("weight")) return Weighted{point["weight"].number()};
+  return Exactly{};
+}
+
 What readPoint(const JsonReader& json)
 {
-  return PointConstraint{readLocation(json["at"]), readGoal(json)};
+  PointConstraint point{readLocation(json["at"]), readGoal(json), readTolerance(json)};
+  if (const std::optional<ToleranceError> error = validateTolerance(point.within))
+    json.failBelow(error->key, error->reason);
+  if (!std::holds_alternative<Exactly>(point.within) && !point.directions().areAll())
+    json[json.has("within") ? "within" : "weight"].fail(
+        "only a point that goes to one place has one; give all of \"target\"");
+  return point;
 }
 
 decltype(SlideConstraint::on) readSlideGuide(const JsonReader& json)
@@ -308,7 +347,18 @@ struct OwnKeys {
   {
     json["at"] = point.at;
     std::visit(*this, point.to);
+    std::visit(*this, point.within);
   }
+  void operator()(const Exactly& /*exactly*/) const {}
+  void operator()(const WithinBall& ball) const { json["within"]["ball"] = ball.radius; }
+  void operator()(const WithinBox& box) const { json["within"]["box"] = box.half; }
+  void operator()(const WithinSlab& slab) const
+  {
+    for (const double bound : {slab.low, slab.high})
+      json["within"]["slab"].push_back(std::isinf(bound) ? JsonValue(nullptr) : JsonValue(bound));
+    json["within"]["normal"] = slab.normal;
+  }
+  void operator()(const Weighted& weighted) const { json["weight"] = weighted.weight; }
   void operator()(const RelativeConstraint& relative) const
   {
     json["from"] = relative.from;

@@ -17,28 +17,46 @@ bool areParallel(const Vector3& a, const Vector3& b)
   return a.cross(b).norm() <= kRoundedAngle;
 }
 
-/// The first rows that have each of the axes, no more than three, and the rows at odds that end the search.
-struct RowsOfAxes {
-  std::vector<Index> firsts;
-  std::optional<std::array<Index, 2>> atOdds;
+bool areSquare(const Vector3& a, const Vector3& b)
+{
+  return std::abs(a.dot(b)) <= kRoundedAngle;
+}
+
+/// A direction of rows, up to its sign.
+struct CountedAxis {
+  Vector3 axis;
+  Index count = 0;
 };
 
-RowsOfAxes rowsOfAxes(const std::vector<ConstraintRow>& rows)
+/// In the order in which rows have them first.
+std::vector<CountedAxis> countedAxes(const std::vector<ConstraintRow>& rows)
 {
-  RowsOfAxes result;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    if (rows[r].directions.areAll()) continue;
-    const Vector3& axis = rows[r].directions.axis();
-    const auto is = [&](Index first) { return areParallel(axis, rows[first].directions.axis()); };
-    const auto isAskew = [&](Index first) { return std::abs(axis.dot(rows[first].directions.axis())) > kRoundedAngle; };
-    if (std::ranges::any_of(result.firsts, is)) continue;
-    if (const auto askew = std::ranges::find_if(result.firsts, isAskew); askew != result.firsts.end()) {
-      result.atOdds = {static_cast<Index>(r), *askew};
-      return result;
-    }
-    result.firsts.push_back(static_cast<Index>(r));
+  std::vector<CountedAxis> axes;
+  for (const ConstraintRow& row : rows) {
+    const RowDirections directions = row.eliminatedDirections();
+    if (directions.areAll()) continue;
+    const Vector3& axis = directions.axis();
+    const auto known =
+        std::ranges::find_if(axes, [&](const CountedAxis& some) { return areParallel(some.axis, axis); });
+    ++(known == axes.end() ? axes.emplace_back(CountedAxis{axis}) : *known).count;
   }
-  return result;
+  return axes;
+}
+
+/// The axes of most rows, no more than three, which are square to one another.
+std::vector<Vector3> axesOfMost(const std::vector<CountedAxis>& counted)
+{
+  std::vector<Vector3> axes;
+  while (axes.size() < 3) {
+    const CountedAxis* most = nullptr;
+    for (const CountedAxis& some : counted) {
+      const bool fits = std::ranges::all_of(axes, [&](const Vector3& axis) { return areSquare(axis, some.axis); });
+      if (fits && (most == nullptr || some.count > most->count)) most = &some;
+    }
+    if (most == nullptr) break;
+    axes.push_back(most->axis);
+  }
+  return axes;
 }
 
 bool isCoordinateAxis(const Vector3& axis)
@@ -66,22 +84,28 @@ Vector3 alongAxes(const Vector3& value, const std::bitset<3>& axes, const Eigen:
 
 }  // namespace
 
-std::optional<std::array<Index, 2>> rowsAtOdds(const std::vector<ConstraintRow>& rows)
+std::vector<Index> rowsAtOdds(const std::vector<ConstraintRow>& rows)
 {
-  return rowsOfAxes(rows).atOdds;
+  const std::vector<Vector3> axes = axesOfMost(countedAxes(rows));
+  std::vector<Index> result;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const RowDirections directions = rows[r].eliminatedDirections();
+    const auto isParallel = [&](const Vector3& axis) { return areParallel(axis, directions.axis()); };
+    if (!directions.areAll() && std::ranges::none_of(axes, isParallel)) result.push_back(static_cast<Index>(r));
+  }
+  return result;
 }
 
 std::optional<Eigen::Matrix3d> commonFrame(const std::vector<ConstraintRow>& rows)
 {
-  const auto [firsts, atOdds] = rowsOfAxes(rows);
-  if (atOdds) return std::nullopt;
-  std::vector<Vector3> axes;
-  axes.reserve(firsts.size());
-  for (const Index first : firsts) axes.push_back(rows[first].directions.axis());
+  const std::vector<CountedAxis> axes = countedAxes(rows);
+  for (const CountedAxis& a : axes)
+    for (const CountedAxis& b : axes)
+      if (&a != &b && !areSquare(a.axis, b.axis)) return std::nullopt;
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
-  if (std::ranges::all_of(axes, isCoordinateAxis)) return frame;
-  frame.col(0) = axes.front();
-  frame.col(2) = frame.col(0).cross(axes.size() > 1 ? axes[1] : frame.col(0).unitOrthogonal()).normalized();
+  if (std::ranges::all_of(axes, [](const CountedAxis& some) { return isCoordinateAxis(some.axis); })) return frame;
+  frame.col(0) = axes.front().axis;
+  frame.col(2) = frame.col(0).cross(axes.size() > 1 ? axes[1].axis : frame.col(0).unitOrthogonal()).normalized();
   frame.col(1) = frame.col(2).cross(frame.col(0));
   return frame;
 }
@@ -90,7 +114,7 @@ std::vector<AxisSystem> axisSystems(const ConstraintSystem& system, const Eigen:
 {
   std::array<std::vector<Index>, 3> rowsOf;
   for (std::size_t r = 0; r < system.rows.size(); ++r) {
-    const std::bitset<3> axes = heldAxes(system.rows[r].directions, frame);
+    const std::bitset<3> axes = heldAxes(system.rows[r].eliminatedDirections(), frame);
     for (std::size_t k = 0; k < 3; ++k)
       if (axes[k]) rowsOf[k].push_back(static_cast<Index>(r));
   }

@@ -11,9 +11,10 @@
 
 namespace holdfast {
 
-/// Returns the first row whose direction is at odds with that of a row before it, and the first such row. Directions
-/// are at odds where they are neither parallel nor square to 1e-14. O(rows).
-[[nodiscard]] std::optional<std::array<Index, 2>> rowsAtOdds(const std::vector<ConstraintRow>& rows);
+/// Returns the rows whose directions are at odds with the axes of most rows, ascending. Directions are at odds where
+/// they are neither parallel nor square to 1e-14. The axes are found one after the other: each is that of most rows
+/// among those that are square to the axes before it. O(rows times directions that differ).
+[[nodiscard]] std::vector<Index> rowsAtOdds(const std::vector<ConstraintRow>& rows);
 
 /// Returns an orthonormal frame that fits all rows: its columns are axes, and each row with a direction holds along one
 /// of them or across one. These are the coordinate axes where they do. Returns none where directions are at odds.

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include <holdfast/constraints/point_tolerance.h>
 #include <holdfast/constraints/row_directions.h>
 #include <holdfast/constraints/selection.h>
 #include <holdfast/surface/surface_location.h>
@@ -142,6 +143,7 @@ struct PointConstraint {
   static constexpr const char* kType = "point";
   SurfaceLocation at;
   std::variant<Target, Move, Coordinates, OnPlane, OnLine> to;
+  PointTolerance within = {};  ///< of points that go to one place; all others meet what they ask for exactly
 
   [[nodiscard]] std::vector<SurfaceLocation> places() const { return {at}; }
   /// Tells whether the point goes to one place.

@@ -58,7 +58,7 @@ class SystemBuilder {
     forEach([this](const auto& what) { add(what); });
     mirrorRotations();
     rotateRegionsAsTheirFirst();
-    refuseDirectionsAtOdds();
+    chooseRowsAtOdds();
     return std::move(system_);
   }
 
@@ -93,17 +93,26 @@ class SystemBuilder {
     }
   }
 
-  void refuseDirectionsAtOdds() const
+  /// Rows whose directions are at odds with the frame of most others go to places that are chosen in these.
+  void chooseRowsAtOdds()
   {
-    const std::optional<std::array<Index, 2>> rows = rowsAtOdds(system_.rows);
-    if (!rows) return;
-    const auto& [row, before] = *rows;
-    const auto nameOf = [&](Index r) { return inQuotes(list_.constraints[system_.rows[r].constraint].name); };
-    throw InputError(
-        {source_, 0, fmt::format("constraints[{}]", system_.rows[row].constraint)},
-        fmt::format("{}: its direction is neither parallel nor square to that of {}, and such directions are "
-                    "not solved together; make them parallel or square, or disable one",
-                    nameOf(row), nameOf(before)));
+    const std::vector<Index> rows = rowsAtOdds(system_.rows);
+    if (rows.empty()) return;
+    if (rows.size() + system_.tolerant.size() > kMostTolerantPoints) {
+      const Index constraint = system_.rows[rows.front()].constraint;
+      throw InputError(
+          {source_, 0, fmt::format("constraints[{}]", constraint)},
+          fmt::format("{}: its direction is neither parallel nor square to those of most others. {} rows of "
+                      "the list are so, and more than {} are not solved together; make directions "
+                      "parallel or square, or disable some",
+                      inQuotes(list_.constraints[constraint].name), rows.size(), kMostTolerantPoints));
+    }
+    for (const Index r : rows) {
+      ConstraintRow& row = system_.rows[r];
+      row.isChosen = true;
+      system_.tolerant.push_back({r, Exactly{}, row.target, row.shift});
+    }
+    std::ranges::sort(system_.tolerant, {}, &TolerantRow::row);
   }
 
   [[nodiscard]] bool isEnabled() const { return list_.constraints[current_].isEnabled; }
@@ -166,6 +175,7 @@ class SystemBuilder {
   void add(const PointConstraint& point)
   {
     requireDirection(point.directions());
+    requireTolerance(point);
     const KnownPlaces::KnownPoint& known = places_.point(current_, point.at, [&] {
       const SurfacePoint found = located(point.at, ".at");
       return KnownPlaces::KnownPoint{point.at, overUnknowns(found).terms, positionOf(found, rest_),
@@ -173,8 +183,25 @@ class SystemBuilder {
     });
     if (!isEnabled()) return;
     addNearPlace(point.at, known.nearness);
-    system_.rows.push_back({known.terms, placeOf(point, known.rest), shiftOf(point, known.rest), current_,
-                            RowKind::Position, known.corners, point.directions()});
+    const Vector3 target = placeOf(point, known.rest);
+    const Vector3 shift = shiftOf(point, known.rest);
+    if (!std::holds_alternative<Exactly>(point.within))
+      system_.tolerant.push_back({static_cast<Index>(system_.rows.size()), point.within, target, shift});
+    system_.rows.push_back({known.terms, target, shift, current_, RowKind::Position, known.corners, point.directions(),
+                            !std::holds_alternative<Exactly>(point.within)});
+  }
+
+  void requireTolerance(const PointConstraint& point) const
+  {
+    if (const std::optional<ToleranceError> error = validateTolerance(point.within))
+      throw InputError(key(error->key), error->reason);
+    if (!std::holds_alternative<Exactly>(point.within) && !point.directions().areAll())
+      throw InputError(key(""),
+                       "only a point that goes to one place has a tolerance or a weight; give all of \"target\"");
+    if (system_.tolerant.size() >= kMostTolerantPoints && !std::holds_alternative<Exactly>(point.within))
+      throw InputError(key(""), fmt::format("{} points before it have tolerances or weights, and more are not solved "
+                                            "together; make some exact, or disable some",
+                                            kMostTolerantPoints));
   }
 
   void add(const RigidConstraint& /*rigid*/)

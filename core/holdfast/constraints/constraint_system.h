@@ -32,12 +32,27 @@ struct ConstraintRow {
   /// take a position with corners for a point with a target of its own.
   int corners = 0;
   RowDirections directions = {};
+  bool isChosen = false;  ///< its target is chosen, see `TolerantRow`: it is eliminated in all directions
+
+  /// Returns the directions in which the row is eliminated.
+  [[nodiscard]] RowDirections eliminatedDirections() const { return isChosen ? RowDirections() : directions; }
 
   /// Tells whether the row is a pin. A pin places a vertex: the solution copies its target.
   [[nodiscard]] bool isPin() const noexcept
   {
     return kind == RowKind::Position && terms.size() == 1 && directions.areAll();
   }
+};
+
+/// The target of this row is chosen: of all places that are near enough to `target`, that of the least energy. Where
+/// the row holds in some directions alone these are at odds with those of others, and it is chosen along the rest.
+struct TolerantRow {
+  Index row = 0;  ///< place in `ConstraintSystem::rows`
+  PointTolerance within;
+  Vector3 target;  ///< as it is stated, model units
+  Vector3 shift;   ///< what that asks of the displacement
+  /// Whether the chosen place lies on a bound, so that the point pulls.
+  bool isAtBound = false;
 };
 
 /// The d of this row turns with the surface. It is exp(q) rest, with q the sum of weight * q_unknown. In a rigid region
@@ -64,6 +79,9 @@ struct ConstraintNote {
   std::string message;   ///< one sentence for people, without the constraint's name
 };
 
+/// More rows whose targets are chosen are refused: what they ask of one another is a dense matrix.
+inline constexpr std::size_t kMostTolerantPoints = 2000;
+
 /// A handle gets a note if it states no rotation and moves by more than this share of its distance from what is fixed.
 inline constexpr double kUnsaidRotation = 0.25;
 
@@ -71,8 +89,9 @@ inline constexpr double kUnsaidRotation = 0.25;
 /// numbers are finite.
 struct ConstraintSystem {
   std::vector<ConstraintRow> rows;
-  std::vector<RotatedVector> rotated;            ///< ascending by row; the rows are as at q = 0, see `rotated`
-  std::vector<GivenRotation> rotations;          ///< in the user's order; each unknown once, because the first stands
+  std::vector<TolerantRow> tolerant;     ///< ascending by row; until places are chosen the rows have their targets
+  std::vector<RotatedVector> rotated;    ///< ascending by row; the rows are as at q = 0, see `rotated`
+  std::vector<GivenRotation> rotations;  ///< in the user's order; each unknown once, because the first stands
   std::vector<std::vector<Index>> rigidRegions;  ///< unknowns of each, ascending; the rows refer to the first
   std::vector<ConstraintNote> notes;             ///< in the user's order
   std::vector<NearPlace> nearPlaces;             ///< of enabled constraints, in the user's order

@@ -77,7 +77,8 @@ bool ConstraintFactorization::serves(const ConstraintSystem& other) const
   std::atomic<bool> isSame = other.rows.size() == system.rows.size();
   if (isSame)
     parallelBlocks(static_cast<Index>(system.rows.size()), [&](Index r) {
-      if (other.rows[r].terms != system.rows[r].terms || other.rows[r].directions != system.rows[r].directions)
+      if (other.rows[r].terms != system.rows[r].terms ||
+          other.rows[r].eliminatedDirections() != system.rows[r].eliminatedDirections())
         isSame = false;
     });
   return isSame && turnsAs(other);

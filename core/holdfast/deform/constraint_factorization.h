@@ -8,6 +8,7 @@
 #include <holdfast/deform/deform.h>
 #include <holdfast/deform/forces.h>
 #include <holdfast/deform/rotation_factorization.h>
+#include <holdfast/deform/tolerant_points.h>
 #include <holdfast/elimination/axis_elimination.h>
 #include <holdfast/rotation/rotation_energy.h>
 #include <holdfast/solve/axis_solvers.h>
@@ -55,9 +56,10 @@ struct ConstraintFactorization {
   double tolerance;
   std::shared_ptr<const EliminatedByAxes> eliminated;
   std::shared_ptr<const std::vector<double>> sensitivities;  ///< of rows, see `Elimination::sensitivities`
-  bool mayHaveFewerRows;                ///< rows that nearly depend on others may go where not all are met
-  std::vector<KnownGaps> knownGaps;     ///< of each part of `eliminated`
-  std::shared_future<ActedOn> actedOn;  ///< made with the first forces
+  bool mayHaveFewerRows;                 ///< rows that nearly depend on others may go where not all are met
+  std::vector<KnownGaps> knownGaps;      ///< of each part of `eliminated`
+  std::shared_future<ActedOn> actedOn;   ///< made with the first forces
+  std::vector<PartStiffness> stiffness;  ///< of tolerant points, of each part; made with the first places
   std::shared_ptr<RotationFactorization> rotations;
   LongStep<AxisSolversResult> positions;
   std::vector<MovedSolutions> moved;  ///< of each part, where solutions may be sums of earlier ones; else none

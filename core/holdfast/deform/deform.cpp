@@ -4,6 +4,7 @@
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/place_findings.h>
 #include <holdfast/deform/rotation_factorization.h>
+#include <holdfast/deform/tolerant_points.h>
 #include <holdfast/memory/available_memory.h>
 #include <holdfast/rotation/decided_rotations.h>
 #include <holdfast/surface/surface_locator.h>
@@ -47,11 +48,16 @@ Diagnosis rotatedDiagnosis(const EliminatedByAxes& eliminated, ConstraintSystem&
   DecidedRotations decided(eliminated.inAllDirections(), system, mesh);
   if (source != RotationSource::Given) decided.settle(system, q);
   system = decided.withTurnedVectors(rotated(std::move(system), q));
+  Contradictions contradictions;
+  if (!system.tolerant.empty())
+    contradictions = chooseTargets(system, {eliminated, looseStiffness(system, eliminated), mesh.diagonal},
+                                   Columns3::Zero(static_cast<Index>(system.rows.size()), 3));
   Diagnosis diagnosis = diagnose(eliminated, system, mesh);
+  diagnosis.reasons = std::move(contradictions);
   if (source == RotationSource::Given)
     diagnosis.metIfFound = closedWhereFound(eliminated.inAllDirections(), system, mesh, diagnosis, std::move(q));
   else
-    diagnosis.reasons = decided.reasons();
+    diagnosis.reasons.merge(decided.reasons());
   return diagnosis;
 }
 

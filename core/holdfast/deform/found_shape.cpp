@@ -192,6 +192,10 @@ FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, Rotat
     if (turnsRows) shape.system = decided.withTurnedVectors(rotated(std::move(shape.system), shape.q));
     if (turnsRows || targets.empty()) targets = diagnose(eliminated, shape.system, problem.mesh).targets;
     shape.wanted = problem.energy.wanted(R);
+    if (problem.chooseTargets) {
+      problem.chooseTargets(shape.system, problem.solvers.solve(targets, shape.wanted).u, shape.wanted);
+      targets = diagnose(eliminated, shape.system, problem.mesh).targets;
+    }
     return shape.displacement.u.size() == 0
                ? problem.solvers.solve(targets, shape.wanted)
                : problem.solvers.solveFrom(Displacement(shape.displacement), targets, shape.wanted);

@@ -1,6 +1,7 @@
 #pragma once
 /// The shape whose rotations are found with it: local-global iteration under exact constraints.
 
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct FoundProblem {
   const RotationEnergy& energy;
   const SolverMesh& mesh;
   const AxisSolvers& solvers;  ///< of `energy.A()`
+  /// Where points have tolerances: gives them the best targets. `u` solves for those that they have, A u being near
+  /// `f`.
+  std::function<void(ConstraintSystem& system, const Columns3& u, const Columns3& f)> chooseTargets = {};
 };
 
 struct FoundShape {

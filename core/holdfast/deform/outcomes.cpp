@@ -221,6 +221,18 @@ void setResiduals(std::vector<ConstraintOutcome>& outcomes, const DeformDetails&
   });
 }
 
+/// How far points with tolerances and weights are from their targets. What conflicts is not where it was to go.
+void setDistances(std::vector<ConstraintOutcome>& outcomes, const DeformDetails& details)
+{
+  for (const TolerantRow& tolerant : details.system.tolerant) {
+    const ConstraintRow& row = details.system.rows[tolerant.row];
+    if (std::holds_alternative<Exactly>(tolerant.within)) continue;
+    if (details.diagnosis.status[tolerant.row] == RowStatus::Conflicting) continue;
+    outcomes[row.constraint].offTarget = (row.target - tolerant.target).stableNorm();
+    if (!std::holds_alternative<Weighted>(tolerant.within)) outcomes[row.constraint].isAtBound = tolerant.isAtBound;
+  }
+}
+
 /// The multiplier of a constraint is the sum of the lengths of those of its rows.
 void setMultipliers(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system, const Columns3& ofRows)
 {
@@ -320,6 +332,7 @@ std::vector<ConstraintOutcome> outcomes(const DeformDetails& details, const std:
   std::vector<ConstraintOutcome> result = unsolvedOutcomes(details);
   if (residuals.empty()) return result;
   setResiduals(result, details, residuals);
+  setDistances(result, details);
   if (details.multipliers.valid()) setMultipliers(result, details.system, details.multipliers.get().ofRows);
   return result;
 }

@@ -87,6 +87,10 @@ struct ConstraintOutcome {
   /// How hard it pulls, without units (see docs/math.md). There is none unless hard constraints were solved.
   std::optional<double> multiplier;
   Index dependsOnCount = 0;  ///< how many constraints it follows from, listed or not
+  /// How far a point with a tolerance or a weight is from its target, model units. None for others.
+  std::optional<double> offTarget = {};
+  /// Whether a point with a tolerance lies on a bound of it and pulls, or has room. None for others.
+  std::optional<bool> isAtBound = {};
 };
 
 /// The outcomes of all constraints, in the order of the list. They are made when somebody first looks at one of them,

@@ -81,7 +81,9 @@ Json toJson(const ConstraintOutcome& outcome)
           {"clash_count", outcome.conflictSets.size()},
           {"amplification", orNull(outcome.sensitivity)},
           {"force", orNull(outcome.multiplier)},
-          {"distance", orNull(outcome.nearDistance)}};
+          {"distance", orNull(outcome.nearDistance)},
+          {"off_target", orNull(outcome.offTarget)},
+          {"at_bound", outcome.isAtBound ? Json(*outcome.isAtBound) : Json(nullptr)}};
 }
 
 const char* stopName(const RotationIterations& iterations)
@@ -155,8 +157,9 @@ Json toJson(const ResultVerdict& result)
 }
 
 // Of a table: what the report file calls them.
-constexpr std::array kColumns{"name", "type",       "rows",        "status",        "residual", "limit",
-                              "gap",  "depends_on", "clash_count", "amplification", "force",    "distance"};
+constexpr std::array kColumns{"name",  "type",     "rows",       "status",      "residual",
+                              "limit", "gap",      "depends_on", "clash_count", "amplification",
+                              "force", "distance", "off_target", "at_bound"};
 
 std::string cellOf(const Json& value)
 {

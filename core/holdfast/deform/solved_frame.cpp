@@ -11,6 +11,7 @@
 #include <holdfast/deform/found_shape.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/matrices/largest_size.h>
+#include <holdfast/operators/model_size.h>
 #include <holdfast/rotation/decided_rotations.h>
 #include <holdfast/threads/parallel.h>
 #include <holdfast/threads/stopwatch.h>
@@ -93,6 +94,9 @@ class FrameSolver {
   /// Returns why there is no solution, or nothing.
   std::string solve(Progress& progress)
   {
+    if (!details_->system.tolerant.empty() && !isHard())
+      return "points with tolerances or weights are solved by hard constraints only; choose these, or make the points "
+             "exact";
     const Stopwatch factorization;
     announceFactorization(progress);
     const AxisSolversResult& result = by_.positions.result(progress);
@@ -118,11 +122,28 @@ class FrameSolver {
 
   SolvedDisplacement displacementBy(const AxisSolvers& solvers, Progress& progress)
   {
+    if (!details_->system.tolerant.empty() && !areOfSameRows(by_.stiffness, details_->system))
+      by_.stiffness = stiffnessOf(details_->system, solvers, *problem_.operators.A, by_.actedOn.get(), progress);
     if (isFound()) return findBy(solvers, progress);
+    if (!details_->system.tolerant.empty()) {
+      const Columns3 f = makeF();
+      chooseTargetsAt(details_->system, solvers.solve(details_->diagnosis.targets, f).u, f);
+      diagnoseRows();
+      details_->diagnosis.reasons = contradictions_;
+    }
     if (!by_.moved.empty()) return movedBy(solvers);
     auto f = std::make_shared<const Columns3>(makeF());
     auto displacement = std::make_shared<const Displacement>(solvers.solve(details_->diagnosis.targets, *f));
     return {std::move(displacement), std::move(f)};
+  }
+
+  /// Chooses the targets of tolerant points. `u` is the solution for those that `system` has.
+  void chooseTargetsAt(ConstraintSystem& system, const Columns3& u, const Columns3& f)
+  {
+    const double scale = isFound() ? 1 : rowsInDiameters(problem_.options.weights, diameterInDiagonals(mesh()));
+    const Columns3 forces = forcesAtUnknowns(*problem_.operators.A, by_.actedOn.get(), u, f, mesh().diagonal);
+    contradictions_ = chooseTargets(system, {*by_.eliminated, by_.stiffness, mesh().diagonal, scale},
+                                    by_.eliminated->multipliers(forces));
   }
 
   /// By the solutions before, part by part.
@@ -160,7 +181,11 @@ class FrameSolver {
   {
     RotationOptions options = problem_.options.rotations;
     if (problem_.before != nullptr) options.mostIterations = kIterationsOfFrame;
-    const FoundProblem problem{*problem_.operators.energy, mesh(), solvers};
+    FoundProblem problem{*problem_.operators.energy, mesh(), solvers, {}};
+    if (!details_->system.tolerant.empty())
+      problem.chooseTargets = [this](ConstraintSystem& system, const Columns3& u, const Columns3& f) {
+        chooseTargetsAt(system, u, f);
+      };
     FoundShape shape = findShape(
         problem, std::move(details_->system),
         {std::move(result_.rotations), problem_.before == nullptr ? Columns3() : *problem_.before}, options, progress);
@@ -171,6 +196,7 @@ class FrameSolver {
     details_->system = std::move(shape.system);
     diagnoseRows();
     details_->diagnosis.reasons = std::move(shape.reasons);
+    details_->diagnosis.reasons.merge(contradictions_);
     addFindings(std::move(shape.findings));
     return {std::make_shared<const Displacement>(std::move(shape.displacement)),
             std::make_shared<const Columns3>(std::move(shape.wanted))};
@@ -294,6 +320,7 @@ class FrameSolver {
   std::shared_ptr<DeformDetails> details_ = std::make_shared<DeformDetails>();
   DeformResult result_;
   double neededDistance_ = 0;
+  Contradictions contradictions_;
 };
 
 }  // namespace

@@ -34,6 +34,9 @@ class Mirror {
     point.at = AtNear{reflected(rest)};
     if (const auto* coordinates = std::get_if<Coordinates>(&point.to)) point.to = reflected(*coordinates, rest);
     std::visit([&](auto& to) { reflect(to); }, point.to);
+    if (auto* slab = std::get_if<WithinSlab>(&point.within)) reflectVector(slab->normal);
+    if (std::holds_alternative<WithinBox>(point.within) && !isAlongAxis())
+      throw InputError({}, "its box is along coordinate axes, which this plane mirrors into others; give it a ball");
   }
 
   void mirror(RelativeConstraint& relative)

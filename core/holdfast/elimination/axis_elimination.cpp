@@ -13,7 +13,7 @@ namespace {
 ConstraintSystem withoutDirections(ConstraintSystem system)
 {
   for (ConstraintRow& row : system.rows)
-    if (!row.directions.areAll()) row.terms = {};
+    if (!row.eliminatedDirections().areAll()) row.terms = {};
   return system;
 }
 
@@ -71,7 +71,7 @@ EliminatedByAxes::EliminatedByAxes(const ConstraintSystem& system, const SolverM
     : frame_(commonFrame(system.rows).value_or(Eigen::Matrix3d::Identity())),
       rowCount_(static_cast<Index>(system.rows.size()))
 {
-  if (std::ranges::all_of(system.rows, [](const ConstraintRow& row) { return row.directions.areAll(); })) {
+  if (std::ranges::all_of(system.rows, [](const ConstraintRow& row) { return row.eliminatedDirections().areAll(); })) {
     inAllDirections_ = std::make_shared<const EliminatedConstraints>(eliminate(system, mesh, tolerance));
     parts_.push_back({std::bitset<3>(0b111), {}, inAllDirections_});
     return;

@@ -32,7 +32,8 @@ std::optional<double> numberIn(const std::string& field)
 TEST(ReportCsv, IsAHeaderAloneWithoutConstraints)
 {
   EXPECT_EQ(reportToCsv({}),
-            "name,type,rows,status,residual,limit,gap,depends_on,clash_count,amplification,force,distance\n");
+            "name,type,rows,status,residual,limit,gap,depends_on,clash_count,amplification,force,distance,off_target,"
+            "at_bound\n");
 }
 
 TEST(ReportCsv, QuotesNamesAndLeavesOutWhatWasNotComputed)
@@ -46,13 +47,17 @@ TEST(ReportCsv, QuotesNamesAndLeavesOutWhatWasNotComputed)
   outcome.sensitivity = std::numeric_limits<double>::infinity();
   outcome.multiplier = 0.0;
   outcome.nearDistance = 0.25;
+  outcome.offTarget = 0.125;
+  outcome.isAtBound = true;
   const ConstraintOutcome disabled{" blank", "fixed", 0, ConstraintStatus::Disabled, {}, {}, {}, {}, {}, {}, {}, {}};
   report.constraints = std::vector{outcome, disabled};
   const std::vector<CsvRecord> table = tableOf(report);
   ASSERT_EQ(table.size(), 3U);
-  EXPECT_THAT(table[1].fields, ElementsAre("bolt \"A\", left\nrim", "point", "1", "conflicting", "0.1", "0.01",
-                                           "0.3333333333333333", "base; P1, lower", "2", "", "0", "0.25"));
-  EXPECT_THAT(table[2].fields, ElementsAre(" blank", "fixed", "0", "disabled", "", "", "", "", "0", "", "", ""));
+  EXPECT_THAT(table[1].fields,
+              ElementsAre("bolt \"A\", left\nrim", "point", "1", "conflicting", "0.1", "0.01", "0.3333333333333333",
+                          "base; P1, lower", "2", "", "0", "0.25", "0.125", "true"));
+  EXPECT_THAT(table[2].fields,
+              ElementsAre(" blank", "fixed", "0", "disabled", "", "", "", "", "0", "", "", "", "", ""));
 }
 
 TEST(ReportCsv, SaysWhatTheReportSays)

@@ -227,6 +227,8 @@ using Sections = std::vector<InspectorSection*>;
 
 /// Makes sections that show where one point lies (ids and weights), and where points go: to a place, or by a shift.
 [[nodiscard]] Sections newPointSections(Editor& editor);
+/// Makes a section that shows how near points come to their targets.
+[[nodiscard]] Sections newToleranceSections(Editor& editor);
 /// Makes a section that shows how many vertices fixed, rigid and handle constraints hold.
 [[nodiscard]] Sections newVerticesSections(Editor& editor);
 /// Makes sections that show how handles turn, where they go, and their frames. They also show what each vertex that a
@@ -244,7 +246,8 @@ using Sections = std::vector<InspectorSection*>;
 [[nodiscard]] Sections newOutcomeSections(Editor& editor);
 
 /// Makes the sections of the panel, from its top.
-inline constexpr std::array kNewSections{newPointSections,  newVerticesSections, newHandleSections, newSlideSections,
-                                         newMirrorSections, newRelativeSections, newOutcomeSections};
+inline constexpr std::array kNewSections{newPointSections,    newToleranceSections, newVerticesSections,
+                                         newHandleSections,   newSlideSections,     newMirrorSections,
+                                         newRelativeSections, newOutcomeSections};
 
 }  // namespace holdfast

@@ -317,6 +317,7 @@ class TargetSection : public GuideSection<PointConstraint, &PointConstraint::to>
       const std::optional<Vector3> rest = restPlace(editor(), point.at);
       if (!rest || point.to.index() == static_cast<std::size_t>(way)) return false;
       point.to = goalOf(way, point, *rest);
+      if (!point.hasTarget()) point.within = Exactly{};
       return true;
     });
   }

@@ -1,0 +1,267 @@
+#include "holdfast/deform/tolerant_points.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include <holdfast/mesh/index_lists.h>
+#include <holdfast/solve/allowed_places.h>
+
+namespace holdfast {
+namespace {
+
+// A solution has three columns, each for a target of its own.
+constexpr Index kAtOnce = 3;
+
+/// Of a row of the whole system: its place in a part.
+Index rowInPart(const AxisElimination& part, Index row)
+{
+  if (part.rows.empty()) return row;
+  return std::ranges::lower_bound(part.rows, row) - part.rows.begin();
+}
+
+/// The tolerant points that follow from no other rows of a part.
+std::vector<Index> independentPoints(const ConstraintSystem& system, const AxisElimination& part)
+{
+  std::vector<Index> points;
+  for (std::size_t i = 0; i < system.tolerant.size(); ++i)
+    if (!std::ranges::binary_search(part.eliminated->dependencies, rowInPart(part, system.tolerant[i].row), {},
+                                    &Dependency::row))
+      points.push_back(static_cast<Index>(i));
+  return points;
+}
+
+/// Offsets of a row that holds in some directions alone.
+AllowedOffset heldBy(const RowDirections& directions, const Eigen::Matrix3d& frame)
+{
+  const Vector3 axis = frame.transpose() * directions.axis();
+  if (directions.areAlongAxis()) return {0, {}, 0, {axis}};
+  const Vector3 across = axis.unitOrthogonal();
+  return {0, {}, 0, {across, axis.cross(across)}};
+}
+
+std::vector<Index> rowsOfPoints(const ConstraintSystem& system)
+{
+  std::vector<Index> rows;
+  rows.reserve(system.tolerant.size());
+  for (const TolerantRow& tolerant : system.tolerant) rows.push_back(tolerant.row);
+  return rows;
+}
+
+struct AllowedBy {
+  const Eigen::Matrix3d& frame;
+  double diagonal;
+  double weightScale;
+
+  AllowedOffset operator()(const Exactly& /*exactly*/) const { return {}; }
+  AllowedOffset operator()(const WithinBall& ball) const { return {ball.radius / diagonal}; }
+  AllowedOffset operator()(const WithinBox& box) const
+  {
+    AllowedOffset result;
+    for (Index k = 0; k < 3; ++k)
+      result.slabs.push_back({frame.row(k).transpose(), -box.half[k] / diagonal, box.half[k] / diagonal});
+    return result;
+  }
+  AllowedOffset operator()(const WithinSlab& slab) const
+  {
+    return {0, {{frame.transpose() * slab.normal.stableNormalized(), slab.low / diagonal, slab.high / diagonal}}};
+  }
+  AllowedOffset operator()(const Weighted& weighted) const
+  {
+    const double w = weighted.weight / weightScale;
+    return {0, {}, w * w};
+  }
+};
+
+/// Brings a place that is meant to lie within a tolerance there in doubles, too.
+struct WithinInDoubles {
+  const Vector3& target;
+
+  Vector3 operator()(const WithinBall& ball, Vector3 offset) const
+  {
+    for (Vector3 place = target + offset; (place - target).norm() > ball.radius; place = target + offset)
+      offset *= 1 - std::numeric_limits<double>::epsilon();
+    return offset;
+  }
+  Vector3 operator()(const WithinBox& box, const Vector3& offset) const
+  {
+    return offset.cwiseMax(-box.half).cwiseMin(box.half);
+  }
+  Vector3 operator()(const auto& /*other*/, const Vector3& offset) const { return offset; }
+};
+
+/// Makes the pulls along each axis of the frame.
+class PullsOfAxes {
+ public:
+  PullsOfAxes(const ConstraintSystem& system, const PlaceChoice& choice, const Columns3& pulls)
+      : system_(system), choice_(choice), pulls_(pulls * choice.eliminated.frame())
+  {
+    for (std::size_t i = 0; i < system.tolerant.size(); ++i) pointOf_[system.tolerant[i].row] = static_cast<Index>(i);
+  }
+
+  [[nodiscard]] std::array<AxisPull, 3> made() const
+  {
+    std::array<AxisPull, 3> result;
+    const std::vector<AxisElimination>& parts = choice_.eliminated.parts();
+    for (std::size_t p = 0; p < parts.size(); ++p)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (parts[p].axes[k]) result[k] = along(static_cast<Index>(k), parts[p], choice_.stiffness[p]);
+    return result;
+  }
+
+ private:
+  /// What a row asks of the displacement along an axis of the frame where all tolerant points have their stated
+  /// targets, in diagonals.
+  [[nodiscard]] double stated(Index row, Index axis) const
+  {
+    const auto point = pointOf_.find(row);
+    const Vector3& shift = point == pointOf_.end() ? system_.rows[row].shift : system_.tolerant[point->second].shift;
+    return choice_.eliminated.frame().col(axis).dot(shift) / choice_.diagonal;
+  }
+
+  [[nodiscard]] AxisPull along(Index axis, const AxisElimination& part, const PartStiffness& stiffness) const
+  {
+    const auto count = static_cast<Index>(stiffness.points.size());
+    const auto points = static_cast<Index>(system_.tolerant.size());
+    AxisPull result{stiffness.matrix, Eigen::VectorXd(count), {}, Eigen::VectorXd::Zero(points), {}, {}};
+    Eigen::VectorXd now(count);  // offsets at which the pulls are known
+    std::map<Index, Index> columnOf;
+    std::vector<Eigen::Triplet<double, int>> entries;
+    for (Index c = 0; c < count; ++c) {
+      const Index point = stiffness.points[c];
+      const TolerantRow& tolerant = system_.tolerant[point];
+      now[c] = choice_.eliminated.frame().col(axis).dot(system_.rows[tolerant.row].shift - tolerant.shift) /
+               choice_.diagonal;
+      result.pull[c] = pulls_(tolerant.row, axis);
+      columnOf[tolerant.row] = c;
+      entries.emplace_back(static_cast<int>(point), static_cast<int>(c), 1);
+    }
+    result.pull -= stiffness.matrix * now;
+    std::vector<Eigen::Triplet<double, int>> fixed;
+    std::vector<double> fixedTo;
+    const auto wholeRow = [&](Index row) { return part.rows.empty() ? row : part.rows[row]; };
+    for (const Dependency& dependency : part.eliminated->dependencies) {
+      const Index row = wholeRow(dependency.row);
+      const auto point = pointOf_.find(row);
+      double implied = -stated(row, axis);
+      std::vector<std::pair<Index, double>> terms;
+      std::vector<Index> exact;
+      for (const Term& term : dependency.terms) {
+        const Index other = wholeRow(term.index);
+        implied += term.coefficient * stated(other, axis);
+        if (const auto column = columnOf.find(other); column != columnOf.end())
+          terms.emplace_back(column->second, term.coefficient);
+        else
+          exact.push_back(other);
+      }
+      if (point != pointOf_.end()) {
+        result.constant[point->second] = implied;
+        result.constantBy[point->second] = std::move(exact);
+        for (const auto& [column, coefficient] : terms)
+          entries.emplace_back(static_cast<int>(point->second), static_cast<int>(column), coefficient);
+      } else if (!terms.empty() && !dependency.isUndecided()) {
+        for (const auto& [column, coefficient] : terms)
+          fixed.emplace_back(static_cast<int>(fixedTo.size()), static_cast<int>(column), coefficient);
+        fixedTo.push_back(-implied);
+        exact.push_back(row);
+        result.fixedBy.push_back(std::move(exact));
+      }
+    }
+    result.offsets = SparseRows(points, count);
+    result.offsets.setFromTriplets(entries.begin(), entries.end());
+    result.fixed = SparseRows(static_cast<Index>(fixedTo.size()), count);
+    result.fixed.setFromTriplets(fixed.begin(), fixed.end());
+    result.fixedTo = Eigen::Map<const Eigen::VectorXd>(fixedTo.data(), static_cast<Index>(fixedTo.size()));
+    return result;
+  }
+
+  const ConstraintSystem& system_;
+  const PlaceChoice& choice_;
+  Columns3 pulls_;                  // by coordinates of the frame
+  std::map<Index, Index> pointOf_;  // of a row
+};
+
+}  // namespace
+
+bool areOfSameRows(const std::vector<PartStiffness>& stiffness, const ConstraintSystem& system)
+{
+  return !stiffness.empty() && stiffness.front().rows == rowsOfPoints(system);
+}
+
+std::vector<PartStiffness> stiffnessOf(const ConstraintSystem& system, const AxisSolvers& solvers,
+                                       const EnergyMatrix& A, const ActedOn& actedOn, Progress& progress)
+{
+  std::vector<PartStiffness> result;
+  const std::vector<AxisElimination>& parts = solvers.eliminated().parts();
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const Elimination& elimination = parts[p].eliminated->elimination;
+    PartStiffness& its =
+        result.emplace_back(PartStiffness{rowsOfPoints(system), independentPoints(system, parts[p]), {}});
+    const auto count = static_cast<Index>(its.points.size());
+    std::vector<Index> rows;
+    for (const Index point : its.points) rows.push_back(rowInPart(parts[p], system.tolerant[point].row));
+    progress.step(fmt::format("solving for each of {} points with tolerances", count));
+    its.matrix.resize(count, count);
+    const Columns3 atRest = Columns3::Zero(A.rows(), kAtOnce);
+    for (Index first = 0; first < count; first += kAtOnce) {
+      progress.proceed(static_cast<double>(first) / static_cast<double>(count));
+      const Index columns = std::min(kAtOnce, count - first);
+      Columns3 shifts = Columns3::Zero(static_cast<Index>(parts[p].eliminated->rows.size()), kAtOnce);
+      for (Index c = 0; c < columns; ++c) shifts(rows[first + c], c) = 1;
+      const Displacement unit = solvers.of(p).solve({std::move(shifts), {}}, atRest);
+      const Columns3 pulls = elimination.multipliers(forcesAtUnknowns(A, actedOn, unit.u, atRest, 1));
+      its.matrix.middleCols(first, columns) = pulls(rows, Eigen::all).leftCols(columns);
+    }
+    its.matrix = (its.matrix + its.matrix.transpose().eval()) / 2;
+  }
+  return result;
+}
+
+std::vector<PartStiffness> looseStiffness(const ConstraintSystem& system, const EliminatedByAxes& eliminated)
+{
+  std::vector<PartStiffness> result;
+  for (const AxisElimination& part : eliminated.parts()) {
+    PartStiffness& its = result.emplace_back(PartStiffness{rowsOfPoints(system), independentPoints(system, part), {}});
+    const auto count = static_cast<Index>(its.points.size());
+    its.matrix = Eigen::MatrixXd::Identity(count, count);
+  }
+  return result;
+}
+
+Contradictions chooseTargets(ConstraintSystem& system, const PlaceChoice& choice, const Columns3& pulls)
+{
+  const Eigen::Matrix3d& frame = choice.eliminated.frame();
+  std::vector<AllowedOffset> allowed;
+  for (const TolerantRow& tolerant : system.tolerant) {
+    const RowDirections& directions = system.rows[tolerant.row].directions;
+    allowed.push_back(directions.areAll()
+                          ? std::visit(AllowedBy{frame, choice.diagonal, choice.weightScale}, tolerant.within)
+                          : heldBy(directions, frame));
+  }
+  const ChosenOffsets chosen = chooseOffsets(PullsOfAxes(system, choice, pulls).made(), allowed);
+  for (std::size_t i = 0; i < system.tolerant.size(); ++i) {
+    TolerantRow& tolerant = system.tolerant[i];
+    const Vector3 offset = std::visit(
+        [&](const auto& within) {
+          const Vector3 wanted = choice.diagonal * frame * chosen.offsets.row(static_cast<Index>(i)).transpose();
+          return WithinInDoubles{tolerant.target}(within, wanted);
+        },
+        tolerant.within);
+    ConstraintRow& row = system.rows[tolerant.row];
+    row.target = tolerant.target + offset;
+    row.shift = tolerant.shift + offset;
+    tolerant.isAtBound = chosen.isAtBound[i] != 0;
+  }
+  Contradictions result;
+  for (const auto& [point, others] : chosen.contradicted) {
+    if (point < 0) continue;  // a sum of rows that contradicts others is their conflict
+    std::vector<Index>& rows = result[system.tolerant[point].row];
+    for (const Index other : others) rows.push_back(other < 0 ? -1 - other : system.tolerant[other].row);
+    rows = sortedOnce(std::move(rows));
+  }
+  return result;
+}
+
+}  // namespace holdfast

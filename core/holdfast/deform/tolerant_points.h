@@ -1,0 +1,51 @@
+#pragma once
+/// The points that have tolerances or weights, and where they go.
+
+#include <map>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include <holdfast/deform/forces.h>
+#include <holdfast/elimination/axis_elimination.h>
+#include <holdfast/solve/axis_solvers.h>
+#include <holdfast/threads/progress.h>
+
+namespace holdfast {
+
+/// How the pulls of the tolerant rows of one part grow with their displacements.
+struct PartStiffness {
+  std::vector<Index> rows;    ///< of all tolerant rows, in their order
+  std::vector<Index> points;  ///< places in `ConstraintSystem::tolerant` of those that follow from no other rows
+  Eigen::MatrixXd matrix;     ///< points x points: lengths in diagonals
+};
+
+/// Tells whether it is the stiffness of the tolerant rows of `system`, whatever their targets and tolerances.
+[[nodiscard]] bool areOfSameRows(const std::vector<PartStiffness>& stiffness, const ConstraintSystem& system);
+
+/// Returns the stiffness of each part by solving for unit displacements, three at a time: O(points / 3) solutions.
+/// Throws what `progress` throws.
+[[nodiscard]] std::vector<PartStiffness> stiffnessOf(const ConstraintSystem& system, const AxisSolvers& solvers,
+                                                     const EnergyMatrix& A, const ActedOn& actedOn, Progress& progress);
+
+/// Returns a stiffness without a surface: each point would rather be at its target.
+[[nodiscard]] std::vector<PartStiffness> looseStiffness(const ConstraintSystem& system,
+                                                        const EliminatedByAxes& eliminated);
+
+/// What places are chosen by.
+struct PlaceChoice {
+  const EliminatedByAxes& eliminated;
+  const std::vector<PartStiffness>& stiffness;
+  double diagonal = 0;     ///< of the mesh, model units
+  double weightScale = 1;  ///< weights are for rows that are so many times those of the energy, see `rowsInDiameters`
+};
+
+/// The rows that a row contradicts, a smallest set.
+using Contradictions = std::map<Index, std::vector<Index>>;
+
+/// Gives the tolerant rows of `system` the targets of the least energy that are near enough. `pulls` (rows x 3, lengths
+/// in diagonals) are the multipliers of all rows at the targets that the rows have. Returns the rows whose directions
+/// contradict those of rows before them.
+Contradictions chooseTargets(ConstraintSystem& system, const PlaceChoice& choice, const Columns3& pulls);
+
+}  // namespace holdfast
