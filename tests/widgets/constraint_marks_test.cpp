@@ -128,6 +128,25 @@ TEST(DisabledMarks, AreSelectedAgainWhereTheSelectionChangesAlone)
   EXPECT_EQ(constraintMarks(model, list, deformation, places).size(), 2u);
 }
 
+TEST(ConstraintMarks, OfAMirrorAreOnItsPlaneAndWhereItIsAmiss)
+{
+  const Model model = makeModel(test::grid(4, 3), "grid");
+  ConstraintList list{"",
+                      {{"left", true, PointConstraint{AtVertex{0}, Move{{0, 0, 1}}}},
+                       {"right", false, PointConstraint{AtVertex{4}, Move{{0, 0, 2}}}},
+                       {"mirror", true, MirrorConstraint{{2, 0, 0}, {1, 0, 0}, {}, {AllOf{}}, {}}}}};
+  const auto ofMirror = [&] { return marksOf(constraintMarks(model, list, deform(model, list)), 2); };
+  const auto met = ofMirror();
+  EXPECT_EQ(met.size(), 4U);
+  for (const ConstraintMark& mark : met) EXPECT_EQ(mark.place.x(), 2);
+  list.constraints[1].isEnabled = true;
+  const auto conflicting = ofMirror();
+  ASSERT_EQ(conflicting.size(), 5U);
+  EXPECT_EQ(std::ranges::count(conflicting, ConstraintStatus::Conflicting, &ConstraintMark::status), 1);
+  list.constraints[2].isEnabled = false;
+  EXPECT_TRUE(ofMirror().empty());
+}
+
 ConstraintMark dot(double x, ConstraintStatus status)
 {
   ConstraintMark mark{{x, 0, 0}, {x, 0, 0}, status};

@@ -124,10 +124,7 @@ class DisabledMarks {
     return ofSelection(slide.select, MarkKind::Selection, place);
   }
 
-  std::vector<ConstraintMark> marksOf(const MirrorConstraint& mirror, Index place)
-  {
-    return ofSelection(mirror.select, MarkKind::Selection, place);
-  }
+  static std::vector<ConstraintMark> marksOf(const MirrorConstraint& /*mirror*/, Index /*place*/) { return {}; }
 
   std::vector<ConstraintMark> marksOf(const PointConstraint& point, Index place)
   {
@@ -211,8 +208,11 @@ std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResu
   for (std::size_t r = 0; r < system.rows.size(); ++r) {
     const ConstraintRow& row = system.rows[r];
     if (row.terms.empty()) continue;
+    const ConstraintStatus status = rowStatus(*deformation.details, static_cast<Index>(r));
+    // All of the surface may be mirrored: only what is amiss is marked, and what lies on the plane.
+    if (row.kind == RowKind::Mirrored && !isOff(status)) continue;
     ConstraintMark mark = markOf(row, model, deformation.positions);
-    mark.status = rowStatus(*deformation.details, static_cast<Index>(r));
+    mark.status = status;
     mark.kind = kindOf(row);
     mark.constraint = row.constraint;
     if (row.kind == RowKind::Mirrored)

@@ -20,6 +20,7 @@ class OutcomeSection : public InspectorSection {
     addRow(tr("Status"), line);
     addRefresh([this] { showStatus(); });
     addResidual(addLargest(tr("Residual"), "outcomeResidual", &ConstraintOutcome::residual, Unit::Length));
+    addBound(addLargest(tr("Off target"), "outcomeOffTarget", &ConstraintOutcome::offTarget, Unit::Length));
     addLargest(tr("Gap"), "outcomeGap", &ConstraintOutcome::gap, Unit::Length);
     addLargest(tr("Force"), "outcomeForce", &ConstraintOutcome::multiplier, Unit::None);
     addLargest(tr("Amplification"), "outcomeAmplification", &ConstraintOutcome::sensitivity, Unit::None);
@@ -69,6 +70,17 @@ class OutcomeSection : public InspectorSection {
         limit = std::max(limit, *outcome->limit);
       }
       if (limit > 0) label->setText(metText(limit, editor().list().units));
+    });
+  }
+
+  void addBound(QLabel* label)
+  {
+    addRefresh([=, this] {
+      if (rows().size() != 1) return;
+      const ConstraintOutcome* outcome = editor().outcome(constraint(rows().front()).name, rows().front());
+      if (outcome == nullptr || !outcome->isAtBound) return;
+      label->setText(*outcome->isAtBound ? tr("%1, at its bound").arg(label->text())
+                                         : tr("%1, within its tolerance").arg(label->text()));
     });
   }
 
