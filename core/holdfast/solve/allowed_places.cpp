@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include <holdfast/factor/dense_cholesky.h>
 #include <holdfast/numbers/disjoint_sets.h>
 #include <holdfast/numbers/term.h>
 
@@ -383,12 +384,15 @@ class OffsetChooser {
   {
     const Eigen::VectorXd scale = H.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
     H = scale.asDiagonal() * H * scale.asDiagonal();
-    Eigen::LLT<Eigen::MatrixXd> factor(H);
-    for (double more = 1e-15; factor.info() != Eigen::Success && more < 1; more *= 100) {
+    Eigen::MatrixXd L = H;
+    for (double more = 1e-15; !factorizeDense(L) && more < 1; more *= 100) {
       H.diagonal().array() += more;
-      factor.compute(H);
+      L = H;
     }
-    return scale.cwiseProduct(factor.solve(scale.cwiseProduct(g)));
+    Eigen::VectorXd solution = scale.cwiseProduct(g);
+    L.triangularView<Eigen::Lower>().solveInPlace(solution);
+    L.triangularView<Eigen::Lower>().transpose().solveInPlace(solution);
+    return scale.cwiseProduct(solution);
   }
 
   /// Goes from `y_`, where all bounds hold, to where the energy is least within them, or until `stop` has much room.

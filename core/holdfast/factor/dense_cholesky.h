@@ -1,0 +1,13 @@
+#pragma once
+/// The Cholesky factorisation of a dense matrix, on all threads.
+
+#include <Eigen/Dense>
+
+namespace holdfast {
+
+/// Computes L with A = L L^T in the lower triangle of `A`, of which nothing else is read or written. Returns false
+/// where `A` is not positive definite in doubles; what is in it then means nothing. The result is the same on any
+/// number of threads. O(n^3).
+[[nodiscard]] bool factorizeDense(Eigen::MatrixXd& A);
+
+}  // namespace holdfast
