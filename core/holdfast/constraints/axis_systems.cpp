@@ -8,8 +8,8 @@
 namespace holdfast {
 namespace {
 
-// Directions that are parallel or square up to this are so but for the rounding of their numbers. A row
-// misses its target by at most this share of its displacement. That is a hundredth of what Holdfast promises.
+// Directions that are parallel or square up to this are so but for the rounding of their numbers. A row is then off by
+// at most this share of its displacement: a hundredth of the residual that is promised.
 constexpr double kRoundedAngle = 1e-14;
 
 bool areParallel(const Vector3& a, const Vector3& b)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -295,7 +297,7 @@ class SystemBuilder {
       system_.rows.push_back(
           {{{u, 1.0}}, plane.placeFrom(rest), plane.shiftFrom(rest), current_, RowKind::Position, 0, along});
     }
-    mirrors_.push_back({current_, n, std::move(found.pairs)});
+    mirrors_.push_back({current_, n, std::move(found)});
   }
 
   /// The listed pairs, over unknowns.
@@ -331,9 +333,11 @@ class SystemBuilder {
   {
     const double tolerance = mirror.tolerance.value_or(kMirrorTolerance * solverMesh_.diagonal);
     std::vector<Index> wanted = unknownsOfSelection();
-    // Loose vertices are no part of the surface. Nobody misses their partners.
+    // Vertices that no face uses are no part of the surface, and need no partners.
     std::erase_if(wanted, [&](Index u) { return solverMesh_.componentOf[u] < 0; });
-    MirrorPairs found = mirrorPairs(solverMesh_.rest, wanted, mirror.point, mirror.normal, tolerance);
+    MirrorPairs found = places_.partners(current_, mirror, [&] {
+      return mirrorPairs(solverMesh_.rest, wanted, mirror.point, mirror.normal, tolerance);
+    });
     if (found.pairs.empty() && found.onPlane.empty())
       throw InputError(key(""), fmt::format("no vertex has a partner across the plane within {:.3g}; move or turn the "
                                             "plane, raise \"tolerance\", or list \"pairs\"",
@@ -369,35 +373,34 @@ class SystemBuilder {
   struct MirrorPlanePairs {
     Index constraint;
     Vector3 normal;
-    std::vector<std::array<Index, 2>> pairs;
+    MirrorPairs found;
   };
 
   void handOn(const MirrorPlanePairs& mirror)
   {
-    std::map<Index, Index> partnerOf;
-    for (const auto& [a, b] : mirror.pairs) {
-      partnerOf[a] = b;
-      partnerOf[b] = a;
-    }
+    if (system_.rotations.empty() && system_.rigidRegions.empty()) return;
+    std::vector<Index> partnerOf(hasRotation_.size(), -1);
+    for (const auto& [a, b] : mirror.found.pairs) std::tie(partnerOf[a], partnerOf[b]) = std::pair(b, a);
+    for (const Index u : mirror.found.onPlane) partnerOf[u] = u;
     current_ = mirror.constraint;
     const std::size_t given = system_.rotations.size();
     for (std::size_t k = 0; k < given; ++k)
-      if (const auto found = partnerOf.find(system_.rotations[k].unknown); found != partnerOf.end()) {
+      if (const Index partner = partnerOf[system_.rotations[k].unknown]; partner >= 0) {
         GivenRotation image = system_.rotations[k];
         // An axial vector.
         image.q = 2 * mirror.normal.dot(image.q) * mirror.normal - image.q;
-        giveRotationTo(found->second, image);
+        giveRotationTo(partner, image);
       }
     const std::size_t regions = system_.rigidRegions.size();
     for (std::size_t k = 0; k < regions; ++k) addRegion(imageOf(system_.rigidRegions[k], partnerOf));
   }
 
   /// Those of the region that have partners; on the plane they are their own.
-  static std::vector<Index> imageOf(const std::vector<Index>& region, const std::map<Index, Index>& partnerOf)
+  static std::vector<Index> imageOf(const std::vector<Index>& region, const std::vector<Index>& partnerOf)
   {
     std::vector<Index> image;
     for (const Index u : region)
-      if (const auto found = partnerOf.find(u); found != partnerOf.end()) image.push_back(found->second);
+      if (partnerOf[u] >= 0) image.push_back(partnerOf[u]);
     return sortedOnce(std::move(image));
   }
 

@@ -49,10 +49,9 @@ struct ConstraintRow {
 struct TolerantRow {
   Index row = 0;  ///< place in `ConstraintSystem::rows`
   PointTolerance within;
-  Vector3 target;  ///< as it is stated, model units
-  Vector3 shift;   ///< what that asks of the displacement
-  /// Whether the chosen place lies on a bound, so that the point pulls.
-  bool isAtBound = false;
+  Vector3 target;          ///< as it is stated, model units
+  Vector3 shift;           ///< what that asks of the displacement
+  bool isAtBound = false;  ///< the chosen place lies on a bound, so that the point pulls
 };
 
 /// The d of this row turns with the surface. It is exp(q) rest, with q the sum of weight * q_unknown. In a rigid region

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <holdfast/constraints/mirror_pairs.h>
 #include <holdfast/constraints/near_places.h>
 #include <holdfast/constraints/selection.h>
 #include <holdfast/numbers/term.h>
@@ -46,7 +47,27 @@ class KnownPlaces {
     return known->second.vertices;
   }
 
+  /// Returns the partners that the mirror at this place finds. `find` finds them anew where it is another than before.
+  template <class Find>
+  [[nodiscard]] const MirrorPairs& partners(Index place, const MirrorConstraint& mirror, const Find& find)
+  {
+    auto known = partners_.find(place);
+    if (known == partners_.end() || !areOfSamePartners(known->second.by, mirror))
+      known = partners_.insert_or_assign(place, Partners{mirror, find()}).first;
+    return known->second.found;
+  }
+
  private:
+  struct Partners {
+    MirrorConstraint by;
+    MirrorPairs found;
+  };
+
+  static bool areOfSamePartners(const MirrorConstraint& a, const MirrorConstraint& b)
+  {
+    return a.point == b.point && a.normal == b.normal && a.tolerance == b.tolerance && a.select == b.select;
+  }
+
   struct Selected {
     Selection by;
     std::vector<Index> vertices;
@@ -54,6 +75,7 @@ class KnownPlaces {
 
   std::vector<std::optional<KnownPoint>> points_;  // of each constraint
   std::map<Index, Selected> selected_;             // of those that select vertices
+  std::map<Index, Partners> partners_;             // of mirrors that find them
 };
 
 }  // namespace holdfast

@@ -18,8 +18,8 @@ struct FoundProblem {
   const RotationEnergy& energy;
   const SolverMesh& mesh;
   const AxisSolvers& solvers;  ///< of `energy.A()`
-  /// Where points have tolerances: gives them the best targets. `u` solves for those that they have, A u being near
-  /// `f`.
+  /// Each iteration calls this where points have tolerances. It gives them the best targets. `u` solves for those that
+  /// they have, with A u near `f`.
   std::function<void(ConstraintSystem& system, const Columns3& u, const Columns3& f)> chooseTargets = {};
 };
 

@@ -89,7 +89,7 @@ struct ConstraintOutcome {
   Index dependsOnCount = 0;  ///< how many constraints it follows from, listed or not
   /// How far a point with a tolerance or a weight is from its target, model units. None for others.
   std::optional<double> offTarget = {};
-  /// Whether a point with a tolerance lies on a bound of it and pulls, or has room. None for others.
+  /// A point with a tolerance is at a bound of it where it pulls; else it has room. None for others.
   std::optional<bool> isAtBound = {};
 };
 

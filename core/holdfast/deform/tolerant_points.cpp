@@ -79,9 +79,11 @@ struct AllowedBy {
 struct WithinInDoubles {
   const Vector3& target;
 
+  /// Far from the origin doubles may lie farther apart than the radius: no more is promised there than their distance.
   Vector3 operator()(const WithinBall& ball, Vector3 offset) const
   {
-    for (Vector3 place = target + offset; (place - target).norm() > ball.radius; place = target + offset)
+    constexpr int kMostTries = 4;
+    for (int k = 0; k < kMostTries && (Vector3(target + offset) - target).norm() > ball.radius; ++k)
       offset *= 1 - std::numeric_limits<double>::epsilon();
     return offset;
   }

@@ -32,7 +32,7 @@ struct PartStiffness {
 [[nodiscard]] std::vector<PartStiffness> looseStiffness(const ConstraintSystem& system,
                                                         const EliminatedByAxes& eliminated);
 
-/// What places are chosen by.
+/// `chooseTargets` chooses places by these.
 struct PlaceChoice {
   const EliminatedByAxes& eliminated;
   const std::vector<PartStiffness>& stiffness;

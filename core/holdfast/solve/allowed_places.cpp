@@ -82,14 +82,13 @@ struct Quadratic {
 struct Equation {
   std::vector<Term> terms;
   double to = 0;
-  std::vector<Index> names;  ///< a point, or -1 less a number, and -1 less the numbers of what it follows from
+  std::vector<Index> names;  ///< as in `ChosenOffsets::contradicted`: its own, then those of what it follows from
 };
 
 /// What equations fix of y, and what they leave free. Later ones that contradict those before are left out.
 class FixedSums {
  public:
-  FixedSums(const std::vector<Equation>& equations, Index count)
-      : particular_(Eigen::VectorXd::Zero(count)), free_(count, count)
+  FixedSums(const std::vector<Equation>& equations, Index count) : particular_(Eigen::VectorXd::Zero(count))
   {
     DisjointSets columns(count);
     for (const Equation& equation : equations)
@@ -160,8 +159,7 @@ class FixedSums {
       }
     }
     for (Index c = 0; c < directions.cols(); ++c)
-      for (Index k = 0; k < count; ++k)
-        particular_[group.columns[k]] += directions(k, c) * sums.col(c).head(rows).dot(to);
+      for (Index k = 0; k < count; ++k) particular_[group.columns[k]] += directions(k, c) * sums.col(c).dot(to);
     const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(directions).householderQ();
     for (Index c = directions.cols(); c < count; ++c, ++next)
       for (Index k = 0; k < count; ++k)
@@ -439,8 +437,8 @@ class OffsetChooser {
     return forces;
   }
 
-  /// At the minimum a bound either has room or a multiplier; which of both is the larger share of what it could be
-  /// tells.
+  /// At the minimum a bound has either room or a multiplier, and rounding leaves a little of the other. The larger one
+  /// tells whether the point is at the bound.
   void markBounds(const Eigen::VectorXd& forces, double work, std::vector<char>& isAtBound)
   {
     for (std::size_t b = 0; b < bounds_.size(); ++b) {

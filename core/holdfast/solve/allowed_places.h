@@ -1,5 +1,6 @@
 #pragma once
-/// Where points go that need not reach their targets: of all places that are near enough, those of the least energy.
+/// `chooseOffsets` chooses where points go that need not reach their targets: of all places that are near enough it
+/// takes those of the least energy.
 
 #include <array>
 #include <map>
@@ -19,7 +20,7 @@ struct AllowedSlab {
   double high = 0;
 };
 
-/// What the offset r of a point from its target may be, and what it costs.
+/// An allowed offset says what the offset r of a point from its target may be, and what it costs.
 struct AllowedOffset {
   double radius = 0;                     ///< |r| <= radius where it is above 0
   std::vector<AllowedSlab> slabs = {};   ///< all of which hold
@@ -35,18 +36,18 @@ struct AxisPull {
   Eigen::VectorXd constant;
   SparseRows fixed;  ///< sums of y that have to be `fixedTo`
   Eigen::VectorXd fixedTo;
-  /// Numbers by which `ChosenOffsets` names what each of these sums comes from, and what the constant of a point does.
+  /// `ChosenOffsets::contradicted` has these numbers: of what each sum comes from, and of what a point's constant does.
   std::vector<std::vector<Index>> fixedBy = {};
   std::map<Index, std::vector<Index>> constantBy = {};
 };
 
-/// Where points go, by offsets from their targets.
+/// Chosen offsets say where points go.
 struct ChosenOffsets {
   Positions offsets;               ///< points x 3, coordinates of the frame
   std::vector<char> isAtBound;     ///< 1 where a bound keeps the point from going farther
   std::vector<char> isOutOfReach;  ///< 1 where it follows from others, and no place that they may have is near enough
-  /// Of each point whose offset is fixed in a way that contradicts what is fixed before it: what it contradicts. These
-  /// are points, and -1 less the numbers of what sums and constants come from.
+  /// Says of each point that is fixed against what is fixed before it what it contradicts. A point is named by its
+  /// place; the number k of what a sum or a constant comes from is written as -1 - k, so that both differ.
   std::map<Index, std::vector<Index>> contradicted;
 };
 

@@ -159,6 +159,35 @@ TEST(MirrorConstraint, HandsRotationsOnAsAxialVectors)
   }
 }
 
+TEST(MirrorConstraint, HandsRigidRegionsOnWithWhatTheyHaveOnThePlane)
+{
+  // Vertex 22 lies on the plane.
+  const ConstraintList list = test::listOf({test::rigid({20, 22}), mirrorAcross(Vector3::Zero(), Vector3::UnitX())});
+  const Model model = makeModel(symmetricSlab(), "slab");
+  KnownPlaces places;
+  for (int again = 0; again < 2; ++again) {
+    const ConstraintSystem system =
+        makeConstraintSystem(list, model.mesh, model.solverMesh, model.locator(), "list", places);
+    EXPECT_THAT(system.rigidRegions, ElementsAre(ElementsAre(20, 22), ElementsAre(22, 24)));
+  }
+}
+
+TEST(MirrorConstraint, FindsPartnersAnewWhereItIsAnother)
+{
+  ConstraintList list = test::listOf({test::hold({0}), mirrorAcross(Vector3::Zero(), Vector3::UnitX())});
+  const Model model = makeModel(symmetricSlab(), "slab");
+  KnownPlaces places;
+  const auto rows = [&] {
+    return makeConstraintSystem(list, model.mesh, model.solverMesh, model.locator(), "list", places).rows.size();
+  };
+  EXPECT_EQ(rows(), 1U + 2 * 28 + 7);
+  auto& mirror = std::get<MirrorConstraint>(list.constraints[1].what);
+  mirror.select = {VertexIds{{0, 4}}};
+  EXPECT_EQ(rows(), 1U + 2 + 1);
+  mirror.select = {holdfast::AllOf{}};
+  EXPECT_EQ(rows(), 1U + 2 * 28 + 7);
+}
+
 TEST(MirrorConstraint, KeepsWhatIsOnThePlaneOnIt)
 {
   const DeformResult result =

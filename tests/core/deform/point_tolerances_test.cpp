@@ -120,6 +120,18 @@ TEST(PointTolerances, CostLessThanExactPointsAndLessTheWiderTheyAre)
   }
 }
 
+TEST(PointTolerances, SmallerThanTheSpacingOfDoublesEnd)
+{
+  const Vector3 far(1e6, -2e6, 3e6);
+  const Mesh mesh = test::moved(test::plate(6, 5), far);
+  const Vector3 rest = mesh.positions.row(30);
+  const DeformResult result = test::deformed(
+      mesh, test::listOf({test::hold({0, 1, 2}), near(AtVertex{30}, rest + Vector3(0.1, 0.2, 0.3), WithinBall{1e-11})}),
+      {});
+  EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
+  EXPECT_LT(offsetOf(result, 0).norm(), 1e-9);
+}
+
 TEST(PointTolerances, ThatReachToRestLeaveTheSurfaceThere)
 {
   Mesh mesh = test::plate(8, 6);
@@ -237,15 +249,21 @@ TEST(PointTolerances, OfRotatedCopiesAreRotated)
   EXPECT_LT(largest, 1e-8);
 }
 
+/// Holds one side. The corners of face 50 come near places above it.
+std::vector<Constraint> withCornersLifted(const Mesh& mesh)
+{
+  std::vector<Constraint> list{test::hold({0, 1, 2, 3})};
+  for (const Index v : mesh.faces[50])
+    list.push_back(near(AtVertex{v}, Vector3(mesh.positions.row(v)) + Vector3(0, 0, 1), WithinBall{0.2}));
+  return list;
+}
+
 TEST(PointTolerances, OfPointsThatFollowFromOthersHold)
 {
   // Three corners of a face and a point in it: the fourth follows from the three.
-  Mesh mesh = test::plate(8, 6);
-  const auto corner = mesh.faces[50];
-  const Vector3 middle = mesh.positions(corner, Eigen::all).colwise().mean();
-  std::vector<Constraint> list{test::hold({0, 1, 2, 3})};
-  for (const Index v : corner)
-    list.push_back(near(AtVertex{v}, Vector3(mesh.positions.row(v)) + Vector3(0, 0, 1), WithinBall{0.2}));
+  const Mesh mesh = test::plate(8, 6);
+  const Vector3 middle = mesh.positions(mesh.faces[50], Eigen::all).colwise().mean();
+  std::vector<Constraint> list = withCornersLifted(mesh);
   list.push_back(
       near(AtFace{50, {1.0 / 3, 1.0 / 3, 1 - 2 * (1.0 / 3)}}, middle + Vector3(0, 0, 1.25), WithinBall{0.1}));
   const DeformResult result = test::deformed(mesh, test::listOf(list), {});
@@ -285,12 +303,9 @@ TEST(PointTolerances, OutOfReachOfAFixedVertexNameIt)
 
 TEST(PointTolerances, AreExactWhereAnExactPointComesLater)
 {
-  Mesh mesh = test::plate(8, 6);
-  const auto corner = mesh.faces[50];
-  const Vector3 middle = mesh.positions(corner, Eigen::all).colwise().mean();
-  std::vector<Constraint> list{test::hold({0, 1, 2, 3})};
-  for (const Index v : corner)
-    list.push_back(near(AtVertex{v}, Vector3(mesh.positions.row(v)) + Vector3(0, 0, 1), WithinBall{0.2}));
+  const Mesh mesh = test::plate(8, 6);
+  const Vector3 middle = mesh.positions(mesh.faces[50], Eigen::all).colwise().mean();
+  std::vector<Constraint> list = withCornersLifted(mesh);
   list.push_back(test::moveTo(AtFace{50, {1.0 / 3, 1.0 / 3, 1 - 2 * (1.0 / 3)}}, middle + Vector3(0.05, 0, 1.1)));
   const DeformResult result = test::deformed(mesh, test::listOf(list), {});
   EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
