@@ -56,6 +56,8 @@ expect_clean check_layers.sh
 expect_clean check_rooms.sh
 expect_clean check_words.sh
 expect_clean check_own_headers.sh
+echo '  holdfast/mesh/mesh.h' | tee "$tree/core/CMakeLists.txt" >"$tree/widgets/CMakeLists.txt"
+expect_clean check_installed_headers.sh
 printf '%s\n' 'enum class Kind { Thing };  // an Oldie' 'const Newcomer text("Oldie");' >"$tree/core/holdfast/mesh/terms.cpp"
 expect_clean check_terms.sh
 recipe=$'## A mesh\n\nFollow `weld.h`. Then go on.\n\n- `core/holdfast/mesh/weld.cpp`: welds\n'
@@ -119,6 +121,10 @@ for folder in core/holdfast/mesh app/window/holdfast/window/panels; do
     expect_found check_own_headers.sh "$folder/leak.cpp" "$leak"
   done
   rm "$tree/$folder/leak.h"
+done
+
+for header in core/holdfast/mesh/mesh.h widgets/holdfast/widgets/scene/leak.h; do
+  expect_found check_installed_headers.sh "$header" '#include <holdfast/mesh/weld.h>'
 done
 
 rm -r "$tree/core/holdfast"
