@@ -15,6 +15,8 @@ void manyPoints(benchmark::State& state, const Mesh& mesh);
 void randomPoints(benchmark::State& state, const Mesh& mesh);
 void verdicts(benchmark::State& state, const Mesh& mesh);
 void resultChecks(benchmark::State& state, const Mesh& mesh);
+void freedom(benchmark::State& state, const Mesh& mesh);
+void heldOutNoise(benchmark::State& state, const Mesh& mesh);
 void oneCoreAgainstAll(benchmark::State& state, const Mesh& mesh);
 void batchProgram(benchmark::State& state, const Mesh& mesh);
 void accuracy(benchmark::State& state, const Mesh& mesh);

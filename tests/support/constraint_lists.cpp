@@ -176,17 +176,22 @@ decltype(PointConstraint::to) randomGoal(Random& random)
   }
 }
 
-PointTolerance randomTolerance(Random& random)
+PointTolerance randomTolerance(Random& random, const RowDirections& directions)
 {
   const double size = random.uniform(0.1, 2);
+  const bool isOnLine = !directions.areAll() && !directions.areAlongAxis();
   switch (random.integer(0, 5)) {
     case 0:
       return WithinBall{size};
     case 1:
+      if (!directions.areAll()) return Exactly{};
       return WithinBox{{size, 1e-300, 3}};
-    case 2:
-      return WithinSlab{-size, randomNumber(random) > 0 ? size : std::numeric_limits<double>::infinity(),
-                        randomDirection(random)};
+    case 2: {
+      if (isOnLine) return Exactly{};
+      WithinSlab slab{-size, randomNumber(random) > 0 ? size : std::numeric_limits<double>::infinity(), {}};
+      if (directions.areAll()) slab.normal = randomDirection(random);
+      return slab;
+    }
     case 3:
       return Weighted{size};
     default:
@@ -201,7 +206,9 @@ SlideConstraint randomSlide(Random& random)
   const std::array<decltype(SlideConstraint::on), 4> guides{OnPlane{point, randomDirection(random), 0.25},
                                                             OnLine{point, randomDirection(random)}, FittedPlane{},
                                                             FittedLine{}};
-  return {randomSelection(random, 2), guides[random.integer(0, 3)], random.integer(0, 1) == 0};
+  SlideConstraint slide{randomSelection(random, 2), guides[random.integer(0, 3)], random.integer(0, 1) == 0};
+  if (!slide.together) slide.within = randomTolerance(random, slide.directions());
+  return slide;
 }
 
 /// With partners that are found, among all or some, or listed.
@@ -224,7 +231,7 @@ decltype(Constraint::what) randomWhat(Random& random)
       return randomHandle(random);
     case 2: {
       PointConstraint point{randomLocation(random), randomGoal(random)};
-      if (point.directions().areAll()) point.within = randomTolerance(random);
+      point.within = randomTolerance(random, point.directions());
       return point;
     }
     case 3:
@@ -337,6 +344,7 @@ struct Same {
   {
     return (*this)(a.point, b.point) && (*this)(a.direction, b.direction);
   }
+  bool operator()(const OnMesh& a, const OnMesh& b) const { return a.path == b.path; }
   bool operator()(const PointConstraint& a, const PointConstraint& b) const
   {
     return (*this)(a.at, b.at) && (*this)(a.to, b.to) && (*this)(a.within, b.within);
@@ -353,7 +361,8 @@ struct Same {
   bool operator()(const FittedLine& /*a*/, const FittedLine& /*b*/) const { return true; }
   bool operator()(const SlideConstraint& a, const SlideConstraint& b) const
   {
-    return (*this)(a.select, b.select) && (*this)(a.on, b.on) && a.together == b.together;
+    return (*this)(a.select, b.select) && (*this)(a.on, b.on) && a.together == b.together &&
+           (*this)(a.within, b.within);
   }
   bool operator()(const CoincidentConstraint& a, const CoincidentConstraint& b) const
   {

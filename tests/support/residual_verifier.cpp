@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -80,9 +81,9 @@ Json guideThrough(const std::vector<Place>& places, bool isPlane)
 /// One run of `verify`.
 class Verifier {
  public:
-  /// `fixed` are the vertices that handles may turn about.
-  Verifier(const PlainMesh& rest, const PlainMesh& written, std::vector<long> fixed)
-      : rest_(rest), written_(written), fixed_(std::move(fixed))
+  /// `fixed` are the vertices that handles may turn about. Paths of other meshes begin in `folder`.
+  Verifier(const PlainMesh& rest, const PlainMesh& written, std::vector<long> fixed, std::filesystem::path folder)
+      : rest_(rest), written_(written), fixed_(std::move(fixed)), folder_(std::move(folder))
   {
   }
 
@@ -145,14 +146,14 @@ class Verifier {
     std::vector<Place> places;
     for (const long v : vertices) places.push_back(placeOf(written_, {{v, 1}}));
     const Json& on = slide.at("on");
-    if (on.begin().value().is_string()) {
+    if (on.begin().value() == "fit") {
       const Json found = guideThrough(places, on.contains("plane"));
       for (const Place& place : places) note(distanceFrom(found, {}, place));
       return;
     }
     for (std::size_t k = 0; k < places.size(); ++k) {
       if (!slide.value("together", false)) {
-        note(distanceFrom(on, placeOf(rest_, {{vertices[k], 1}}), places[k]));
+        note(missedOn(slide, placeOf(rest_, {{vertices[k], 1}}), places[k]));
         continue;
       }
       // Of a plane or a line that may shift: as far from where the first vertex went as they are at rest, or not at
@@ -216,10 +217,9 @@ class Verifier {
   void addPoint(const Json& point)
   {
     const Terms terms = termsOf(point.at("at"));
+    if (point.contains("on")) return note(missedOn(point, placeOf(rest_, terms), placeOf(written_, terms)));
     if (point.contains("within")) return note(beyond(point.at("within"), offsetOf(point, terms)));
     if (point.contains("weight")) return note(0);
-    if (point.contains("on"))
-      return note(distanceFrom(point.at("on"), placeOf(rest_, terms), placeOf(written_, terms)));
     if (hasFreeCoordinates(point)) return measureCoordinates(terms, point.at("target"));
     if (terms.size() == 1) return measurePin(terms[0].first, pinTarget(point, rest_.positions.at(terms[0].first)));
     if (point.contains("target")) return measure(terms, point.at("target").get<Place>());
@@ -227,6 +227,27 @@ class Verifier {
     const Place move = point.at("move").get<Place>();
     for (std::size_t k = 0; k < 3; ++k) target[k] += move[k];
     measure(terms, target);
+  }
+
+  /// How far `place` is from what a constraint is on, or farther than within the ball of its tolerance.
+  [[nodiscard]] double missedOn(const Json& constraint, const Place& rest, const Place& place)
+  {
+    if (constraint.contains("weight")) return 0;
+    const Json& on = constraint.at("on");
+    const double distance =
+        on.contains("mesh") ? distanceFromMesh(on.at("mesh"), place) : distanceFrom(on, rest, place);
+    if (!constraint.contains("within")) return distance;
+    return std::max(0.0, distance - constraint.at("within").at("ball").get<double>());
+  }
+
+  [[nodiscard]] double distanceFromMesh(const std::string& path, const Place& place)
+  {
+    if (!meshes_.contains(path)) meshes_.emplace(path, readPlainMesh(folder_ / path));
+    const PlainMesh& mesh = meshes_.at(path);
+    const auto [corners, weights] = nearestPlain(
+        mesh, {static_cast<double>(place[0]), static_cast<double>(place[1]), static_cast<double>(place[2])});
+    return distance(place,
+                    placeOf(mesh, {{corners[0], weights[0]}, {corners[1], weights[1]}, {corners[2], weights[2]}}));
   }
 
   /// From its target to where a point went.
@@ -325,6 +346,8 @@ class Verifier {
   const PlainMesh& rest_;
   const PlainMesh& written_;
   std::vector<long> fixed_;
+  std::filesystem::path folder_;
+  std::map<std::string, PlainMesh> meshes_;
   std::string name_;
   std::set<long> pinned_;
   Verification result_;
@@ -345,7 +368,7 @@ Verification verify(const PlainMesh& rest, const PlainMesh& written, const std::
                     const std::set<std::string>& leftOut)
 {
   const Json list = readPlainConstraints(constraints);
-  Verifier verifier(rest, written, fixedVertices(list, rest));
+  Verifier verifier(rest, written, fixedVertices(list, rest), constraints.parent_path());
   for (const Json& constraint : list)
     if (constraint.value("enabled", true) && !leftOut.contains(constraint.at("name"))) verifier.add(constraint);
   return verifier.result();

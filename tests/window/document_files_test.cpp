@@ -352,6 +352,41 @@ TEST_F(DocumentFilesTest, RecentFilesThatAreMissingAreGreyAndCannotBeOpened)
   ASSERT_TRUE(test::waitUntil([&] { return w.files.name() == "bracket.obj"; }));
 }
 
+TEST_F(DocumentFilesTest, SelectedVerticesStayOnAMeshThatIsChosen)
+{
+  ASSERT_TRUE(open(sample("bracket.obj")));
+  w.editor.selectVertices({10, 11, 12});
+  w.answers = {sample("quads.obj"), w.path("part.holdfast")};
+  w.files.guideMeshDialog({});
+  ASSERT_TRUE(test::waitUntil([&] { return w.editor.list().constraints.size() == 1; }));
+  EXPECT_EQ(w.questions.back().title, "Choose the mesh to stay on");
+  EXPECT_EQ(w.editor.history().undoName(), "add slide 1");
+  const auto& slide = std::get<SlideConstraint>(w.editor.list().constraints.front().what);
+  EXPECT_EQ(std::get<OnMesh>(slide.on).path, w.path("quads.obj"));
+  EXPECT_TRUE(w.editor.selection() == Selection{VertexIds{{}}}) << "it is the constraint's now";
+  ASSERT_TRUE(w.files.save());
+  EXPECT_NE(test::bytesOf(w.path("part.holdfast")).find(R"("on": {"mesh": "quads.obj"})"), std::string::npos);
+  ASSERT_TRUE(open(w.path("part.holdfast")));
+  const auto& again = std::get<SlideConstraint>(w.editor.list().constraints.front().what);
+  EXPECT_NE(std::get<OnMesh>(again.on).surface, nullptr);
+}
+
+TEST_F(DocumentFilesTest, AMeshToStayOnThatCannotBeReadIsNamed)
+{
+  ASSERT_TRUE(open(sample("bracket.obj")));
+  w.editor.selectVertices({10, 11, 12});
+  w.answers = {w.folder.file("broken.ply", "ply\nno header")};
+  QString said;
+  const DialogAnswer answer("messageBox", [&](QDialog& box) {
+    said = test::textOf(box);
+    test::clickButton(box, "OK");
+  });
+  w.files.guideMeshDialog({});
+  ASSERT_TRUE(test::waitUntil([&] { return answer.isGiven(); }));
+  EXPECT_TRUE(said.contains("broken.ply")) << said.toStdString();
+  EXPECT_TRUE(w.editor.list().constraints.empty());
+}
+
 TEST_F(DocumentFilesTest, AFileIsChosenByTypingItsName)
 {
   const fs::path mesh = sample("quads.obj");

@@ -4,6 +4,9 @@
 #include <QScrollArea>
 #include <QScrollBar>
 
+#include <holdfast/surface/guide_surface.h>
+#include <holdfast/window/model/constraint_actions.h>
+
 #include "inspected_sheet.h"
 
 namespace holdfast {
@@ -12,10 +15,17 @@ namespace {
 using enum test::Inspected;
 
 /// The ways of a point in the order of the box.
-enum PointWay { AtPlace, Shifted, AtCoordinates, OnOnePlane, OnOneLine };
+enum PointWay { AtPlace, Shifted, AtCoordinates, OnOnePlane, OnOneLine, OnAMesh };
 
 /// The ways of a slide in the order of the box.
-enum SlideWay { Plane, OwnPlanes, Line, OwnLines, FitPlane, FitLine };
+enum SlideWay { Plane, OwnPlanes, Line, OwnLines, FitPlane, FitLine, AMesh };
+
+OnMesh scanOver(const Mesh& mesh)
+{
+  Mesh scan = mesh;
+  scan.positions.col(2).array() += 0.5;
+  return {"/scans/scan.stl", std::make_shared<const GuideSurface>(scan, "scan.stl")};
+}
 
 class InspectorOfGuides : public test::InspectedSheet {
  protected:
@@ -63,6 +73,24 @@ TEST_F(InspectorOfGuides, APointStaysOnAPlaneThatIsTyped)
   EXPECT_EQ(goal<OnPlane>(kAtVertex).point->x(), 4);
   EXPECT_EQ(editor.history().undoName(), "move P1 to x = 4");
   expectKeptInSession();
+}
+
+TEST_F(InspectorOfGuides, APointStaysOnAMeshThatIsAskedFor)
+{
+  editor.selectConstraints({kAtVertex});
+  Rows asked;
+  QObject::connect(&editor, &Editor::guideMeshWanted, &panel, [&](const Rows& rows) { asked = rows; });
+  const auto before = editor.history().state();
+  choose("targetWay", OnAMesh);
+  EXPECT_EQ(asked, Rows{kAtVertex});
+  EXPECT_EQ(editor.history().state(), before) << "nothing is chosen yet";
+  keepOnMesh(editor, asked, scanOver(editor.model()->mesh));
+  expectOneEntry(before, "keep P1 on scan.stl");
+  EXPECT_EQ(find<QLabel>("targetMesh").text(), "scan.stl");
+  EXPECT_EQ(find<QLabel>("targetMesh").toolTip(), "/scans/scan.stl");
+  EXPECT_FALSE(find("targetPlaceX").isVisible());
+  choose("targetWay", AtPlace);
+  EXPECT_EQ(goal<Target>(kAtVertex).place.z(), 0.5) << "the foot of the place at rest";
 }
 
 TEST_F(InspectorOfGuides, ADirectionIsNeverZero)
@@ -115,6 +143,19 @@ TEST_F(InspectorOfSlides, APlaneThatIsGivenBeginsWithTheOneThatFits)
   EXPECT_EQ(std::get<OnPlane>(slide().on).normal, Vector3(0, 1, 1));
   EXPECT_EQ(std::get<OnPlane>(slide().on).offset, -0.5);
   expectKeptInSession();
+}
+
+TEST_F(InspectorOfSlides, VerticesStayNearAMesh)
+{
+  choose("slideTogether", 1);
+  keepOnMesh(editor, {kPair + 1}, scanOver(editor.model()->mesh));
+  EXPECT_FALSE(slide().together) << "a mesh does not shift";
+  EXPECT_FALSE(find<QComboBox>("slideTogether").isVisible());
+  EXPECT_EQ(find<QComboBox>("slideGuide").currentIndex(), AMesh);
+  EXPECT_EQ(find<QLabel>("slideMesh").text(), "scan.stl");
+  choose("slideToleranceWay", 1);
+  typeInto("slideToleranceRadius", "0.125");
+  EXPECT_EQ(std::get<WithinBall>(slide().within).radius, 0.125);
 }
 
 TEST_F(InspectorOfSlides, EachVertexMayHaveALineOfItsOwn)

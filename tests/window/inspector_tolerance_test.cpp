@@ -62,13 +62,20 @@ TEST_F(InspectorOfTolerances, BoxesSlabsAndWeightsHaveTheirNumbers)
   expectKeptInSession();
 }
 
-TEST_F(InspectorOfTolerances, PointsThatAreFreeHaveNone)
+TEST_F(InspectorOfTolerances, PointsOnPlanesHaveThoseThatMakeSenseThere)
 {
+  constexpr int kOnAPlane = 3;
   choose("toleranceWay", InBall);
-  choose("targetWay", 3);
+  choose("targetWay", kOnAPlane);
   EXPECT_TRUE(std::holds_alternative<OnPlane>(what<PointConstraint>(kAtVertex).to));
-  EXPECT_TRUE(std::holds_alternative<Exactly>(what<PointConstraint>(kAtVertex).within));
-  EXPECT_FALSE(find<QComboBox>("toleranceWay").isVisible());
+  EXPECT_GT(tolerance<WithinBall>().radius, 0) << "around the plane";
+  choose("toleranceWay", InASlab);
+  EXPECT_FALSE(tolerance<WithinSlab>().normal) << "that of the plane is meant";
+  EXPECT_FALSE(find("toleranceNormalX").isVisible());
+  choose("toleranceWay", InABox);
+  EXPECT_NE(refusal().find("goes to one place"), std::string::npos) << refusal();
+  choose("targetWay", 0);
+  EXPECT_TRUE(std::holds_alternative<Exactly>(what<PointConstraint>(kAtVertex).within)) << "a slab needs a normal";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <map>
 
 #include <holdfast/constraint_files/constraint_file_internal.h>
+#include <holdfast/constraint_files/guide_files.h>
 #include <holdfast/io/files/file_bytes.h>
 #include <holdfast/words/lower_case.h>
 
@@ -65,7 +66,7 @@ struct FirstVersion {
   Index operator()(const HandleConstraint& handle) const { return handle.scale == Vector3::Ones() ? 1 : 2; }
   Index operator()(const PointConstraint& point) const
   {
-    return point.directions().areAll() && std::holds_alternative<Exactly>(point.within) ? 1 : 2;
+    return point.hasTarget() && std::holds_alternative<Exactly>(point.within) ? 1 : 2;
   }
   Index operator()(const SlideConstraint& /*slide*/) const { return 2; }
   Index operator()(const CoincidentConstraint& /*coincident*/) const { return 2; }
@@ -124,7 +125,10 @@ bool isPointList(const std::filesystem::path& path, std::string_view text)
 ConstraintList readConstraints(const std::filesystem::path& path)
 {
   const std::string text = readTextFile(path);
-  return isPointList(path, text) ? parsePointListCsv(text, path.string()) : parseConstraintsJson(text, path.string());
+  if (isPointList(path, text)) return parsePointListCsv(text, path.string());
+  ConstraintList list = parseConstraintsJson(text, path.string());
+  readGuideFiles(list, path.parent_path(), path.string());
+  return list;
 }
 
 std::string constraintMembersJson(const ConstraintList& list)

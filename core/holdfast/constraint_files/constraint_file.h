@@ -16,7 +16,8 @@ namespace holdfast {
 /// Reads a constraint file or a session as JSON. Reads it as a point list where `isPointList` says so. The file may
 /// have 256 MiB at most. A constraint without a name gets "type N", where N is its place in the list, counted from 1.
 /// Throws `InputError` for all that docs/formats.md does not allow, with the line (for syntax) or the JSON path (for
-/// meaning). What depends on the mesh is checked later. O(size).
+/// meaning). What depends on the mesh is checked later. Reads the files of meshes on which constraints keep points too
+/// (`OnMesh`). O(size).
 ///
 ///     ConstraintList list = readConstraints("bracket.constraints.json");
 ///     list.constraints.front().isEnabled = false;
@@ -31,7 +32,8 @@ inline constexpr std::array<std::string_view, 5> kPointListExtensions{".csv", ".
 /// in any letter case. Unless the name ends in .csv, a text that begins with a brace is JSON instead.
 [[nodiscard]] bool isPointList(const std::filesystem::path& path, std::string_view text);
 
-/// Reads the text of a constraint file or a session as `readConstraints` reads JSON. Messages call the file `name`.
+/// Reads the text of a constraint file or a session as `readConstraints` reads JSON, but for files of other meshes.
+/// Messages call the file `name`.
 [[nodiscard]] ConstraintList parseConstraintsJson(std::string_view text, const std::string& name);
 
 /// A row that cannot be read is refused with an `InputError`, or skipped.

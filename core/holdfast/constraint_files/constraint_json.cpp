@@ -136,11 +136,12 @@ constexpr std::array<std::string_view, 10> kPointKeys{"type",   "name", "enabled
                                                       "target", "move", "on",      "within", "weight"};
 constexpr std::array<std::string_view, 8> kMirrorKeys{"type",  "name",      "enabled", "extra",
                                                       "plane", "tolerance", "select",  "pairs"};
-constexpr std::array<std::string_view, 7> kSlideKeys{"type", "name", "enabled", "extra", "select", "on", "together"};
+constexpr std::array<std::string_view, 9> kSlideKeys{"type", "name",     "enabled", "extra", "select",
+                                                     "on",   "together", "within",  "weight"};
 constexpr std::array<std::string_view, 6> kCoincidentKeys{"type", "name", "enabled", "extra", "from", "to"};
 constexpr std::array<std::string_view, 7> kRelativeKeys{"type", "name", "enabled", "extra", "from", "to", "offset"};
 constexpr std::array<std::string_view, 3> kDestinations{"target", "move", "on"};
-constexpr std::array<std::string_view, 2> kGuides{"plane", "line"};
+constexpr std::array<std::string_view, 3> kGuides{"plane", "line", "mesh"};
 constexpr std::array<std::string_view, 1> kFits{"fit"};
 
 What readFixed(const JsonReader& json)
@@ -179,11 +180,19 @@ OnLine readLine(const JsonReader& json)
   return line;
 }
 
+OnMesh readGuideMesh(const JsonReader& json)
+{
+  if (json.text().empty()) json.fail("the path is empty; give that of a mesh file");
+  return {json.text()};
+}
+
 Goal readGuide(const JsonReader& json)
 {
   json.requireKeys(kGuides);
-  if (json.oneKeyOf(kGuides) == "plane") return readPlane(json["plane"]);
-  return readLine(json["line"]);
+  const std::string_view key = json.oneKeyOf(kGuides);
+  if (key == "plane") return readPlane(json[key]);
+  if (key == "line") return readLine(json[key]);
+  return readGuideMesh(json[key]);
 }
 
 Goal readGoal(const JsonReader& json)
@@ -212,27 +221,28 @@ PointTolerance readWithin(const JsonReader& json)
   const JsonReader slab = json["slab"];
   slab.requireSize(2, "the bounds [low, high], of which one may be null");
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-  return WithinSlab{readBound(slab.element(0), -kUnbounded), readBound(slab.element(1), kUnbounded),
-                    json["normal"].direction()};
+  WithinSlab within{readBound(slab.element(0), -kUnbounded), readBound(slab.element(1), kUnbounded), std::nullopt};
+  if (json.has("normal")) within.normal = json["normal"].direction();
+  return within;
 }
 
-PointTolerance readTolerance(const JsonReader& point)
+/// The tolerance of a point or a slide that holds in these `directions`.
+PointTolerance readTolerance(const JsonReader& json, const RowDirections& directions)
 {
-  if (point.has("within") && point.has("weight"))
-    point["weight"].fail(R"("within" says already how near the point comes; leave one of both out)");
-  if (point.has("within")) return readWithin(point["within"]);
-  if (point.has("weight")) return Weighted{point["weight"].number()};
-  return Exactly{};
+  if (json.has("within") && json.has("weight"))
+    json["weight"].fail(R"("within" says already how near the point comes; leave one of both out)");
+  PointTolerance tolerance;
+  if (json.has("within")) tolerance = readWithin(json["within"]);
+  if (json.has("weight")) tolerance = Weighted{json["weight"].number()};
+  if (const std::optional<ToleranceError> error = validateTolerance(tolerance, directions))
+    json.failBelow(error->key, error->reason);
+  return tolerance;
 }
 
 What readPoint(const JsonReader& json)
 {
-  PointConstraint point{readLocation(json["at"]), readGoal(json), readTolerance(json)};
-  if (const std::optional<ToleranceError> error = validateTolerance(point.within))
-    json.failBelow(error->key, error->reason);
-  if (!std::holds_alternative<Exactly>(point.within) && !point.directions().areAll())
-    json[json.has("within") ? "within" : "weight"].fail(
-        "only a point that goes to one place has one; give all of \"target\"");
+  PointConstraint point{readLocation(json["at"]), readGoal(json), {}};
+  point.within = readTolerance(json, point.directions());
   return point;
 }
 
@@ -242,6 +252,7 @@ decltype(SlideConstraint::on) readSlideGuide(const JsonReader& json)
   const std::string_view key = json.oneKeyOf(kGuides);
   const bool isPlane = key == "plane";
   const JsonReader guide = json[key];
+  if (key == "mesh") return readGuideMesh(guide);
   if (!guide.isText() && isPlane) return readPlane(guide);
   if (!guide.isText()) return readLine(guide);
   static_cast<void>(guide.choice(kFits, "unknown way to find it {}"));
@@ -251,8 +262,14 @@ decltype(SlideConstraint::on) readSlideGuide(const JsonReader& json)
 
 What readSlide(const JsonReader& json)
 {
-  return SlideConstraint{readSelection(json["select"]), readSlideGuide(json["on"]),
-                         json.has("together") && json["together"].boolean()};
+  SlideConstraint slide{readSelection(json["select"]), readSlideGuide(json["on"]),
+                        json.has("together") && json["together"].boolean()};
+  slide.within = readTolerance(json, slide.directions());
+  if (!slide.together) return slide;
+  if (json["on"].has("mesh")) json["together"].fail("only a plane or a line may shift; leave this out");
+  if (!std::holds_alternative<Exactly>(slide.within))
+    json["together"].fail("vertices that shift together have no tolerance; leave one of both out");
+  return slide;
 }
 
 What readCoincident(const JsonReader& json)
@@ -356,7 +373,7 @@ struct OwnKeys {
   {
     for (const double bound : {slab.low, slab.high})
       json["within"]["slab"].push_back(std::isinf(bound) ? JsonValue(nullptr) : JsonValue(bound));
-    json["within"]["normal"] = slab.normal;
+    if (slab.normal) json["within"]["normal"] = *slab.normal;
   }
   void operator()(const Weighted& weighted) const { json["weight"] = weighted.weight; }
   void operator()(const RelativeConstraint& relative) const
@@ -371,6 +388,7 @@ struct OwnKeys {
     json["select"] = slide.select;
     std::visit(*this, slide.on);
     if (slide.together) json["together"] = true;
+    std::visit(*this, slide.within);
   }
   void operator()(const MirrorConstraint& mirror) const
   {
@@ -410,6 +428,8 @@ struct OwnKeys {
     if (on.point) line["point"] = *on.point;
     line["direction"] = on.direction;
   }
+
+  void operator()(const OnMesh& on) const { json["on"]["mesh"] = on.path; }
 
   void operator()(std::monostate) const {}
   void operator()(const AxisRotation& turn) const

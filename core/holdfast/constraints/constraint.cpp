@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <holdfast/numbers/same_bits.h>
+#include <holdfast/surface/guide_surface.h>
 
 namespace holdfast {
 
@@ -40,6 +41,11 @@ Goal moved(const OnPlane& plane, const Vector3& place, const Vector3& /*rest*/)
 Goal moved(const OnLine& line, const Vector3& place, const Vector3& /*rest*/)
 {
   return OnLine{place, line.direction};
+}
+
+Goal moved(const OnMesh& surface, const Vector3& /*place*/, const Vector3& /*rest*/)
+{
+  return surface;
 }
 
 /// Returns `place` with the coordinates of `exact` that `directions` hold by themselves.
@@ -92,10 +98,22 @@ Vector3 OnLine::shiftFrom(const Vector3& rest) const
   return point ? directions().held(*point - rest) : Vector3::Zero();
 }
 
+Vector3 OnMesh::placeFrom(const Vector3& rest) const
+{
+  return surface == nullptr ? rest : surface->footOf(rest).place;
+}
+
 void PointConstraint::setTarget(const Vector3& place, const RestPlace& restPlace)
 {
   const Vector3 rest = restPlace(at);
   to = std::visit([&](const auto& its) { return moved(its, place, rest); }, to);
+}
+
+OnMesh* guideMeshOf(Constraint& constraint)
+{
+  if (auto* point = std::get_if<PointConstraint>(&constraint.what)) return std::get_if<OnMesh>(&point->to);
+  auto* slide = std::get_if<SlideConstraint>(&constraint.what);
+  return slide == nullptr ? nullptr : std::get_if<OnMesh>(&slide->on);
 }
 
 std::vector<SurfaceLocation> placesOf(const Constraint& constraint)

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -14,6 +15,8 @@
 #include <holdfast/surface/surface_location.h>
 
 namespace holdfast {
+
+class GuideSurface;
 
 /// Every selected vertex stays where it is at rest, and the surface does not rotate there: q = 0.
 struct FixedConstraint {
@@ -135,15 +138,28 @@ struct OnLine {
   [[nodiscard]] RowDirections directions() const { return RowDirections::across(direction); }
 };
 
+/// A point lies on a surface beside the mesh, and is free to move along it.
+struct OnMesh {
+  std::string path;                                  ///< of the file that it was read from, or any name
+  std::shared_ptr<const GuideSurface> surface = {};  ///< null where the file was not read
+
+  /// The foot of `rest`, with which the search for the place of the least energy begins.
+  [[nodiscard]] Vector3 placeFrom(const Vector3& rest) const;
+  [[nodiscard]] Vector3 shiftFrom(const Vector3& rest) const { return placeFrom(rest) - rest; }
+  /// Along one direction, as on a plane: the normal of the surface, which is another one everywhere, and along none of
+  /// the coordinate axes.
+  [[nodiscard]] static RowDirections directions() { return RowDirections::along(Vector3::Ones()); }
+};
+
 /// Returns where a place of the surface is at rest.
 using RestPlace = std::function<Vector3(const SurfaceLocation&)>;
 
-/// One point of the surface goes to one place, or stays on a plane or a line.
+/// One point of the surface goes to one place, or stays on a plane, a line or another surface.
 struct PointConstraint {
   static constexpr const char* kType = "point";
   SurfaceLocation at;
-  std::variant<Target, Move, Coordinates, OnPlane, OnLine> to;
-  PointTolerance within = {};  ///< of points that go to one place; all others meet what they ask for exactly
+  std::variant<Target, Move, Coordinates, OnPlane, OnLine, OnMesh> to;
+  PointTolerance within = {};  ///< how near it comes to where it goes
 
   [[nodiscard]] std::vector<SurfaceLocation> places() const { return {at}; }
   /// Tells whether the point goes to one place.
@@ -180,19 +196,32 @@ struct RigidConstraint {
 };
 
 /// The plane that lies nearest to the selected vertices at rest, by least squares.
-struct FittedPlane {};
+struct FittedPlane {
+  /// Along a direction that the vertices tell.
+  [[nodiscard]] static RowDirections directions() { return RowDirections::along(Vector3::Ones()); }
+};
 
 /// The line that lies nearest to the selected vertices at rest, by least squares.
-struct FittedLine {};
+struct FittedLine {
+  /// Across a direction that the vertices tell.
+  [[nodiscard]] static RowDirections directions() { return RowDirections::across(Vector3::Ones()); }
+};
 
-/// Every selected vertex stays on a plane or a line, and is free to move in it. Where that names no point, each vertex
-/// has one of its own, through its place at rest.
+/// Every selected vertex stays on a plane, a line or another surface, and is free to move along it. Where a plane or a
+/// line names no point, each vertex has one of its own, through its place at rest.
 struct SlideConstraint {
   static constexpr const char* kType = "slide";
   Selection select;
-  std::variant<OnPlane, OnLine, FittedPlane, FittedLine> on;
+  std::variant<OnPlane, OnLine, FittedPlane, FittedLine, OnMesh> on;
   /// The plane or the line itself may shift, but does not turn: what the vertices have of it is kept between them.
   bool together = false;
+  PointTolerance within = {};  ///< how near each vertex comes; not where they shift together
+
+  /// Returns the directions in which the vertices are not free.
+  [[nodiscard]] RowDirections directions() const
+  {
+    return std::visit([](const auto& its) { return its.directions(); }, on);
+  }
 };
 
 /// Two points of the surface come together. They may be of two parts.
@@ -271,6 +300,9 @@ struct Constraint {
       },
       constraint.what);
 }
+
+/// Returns the surface beside the mesh that a constraint is on, and null for others.
+[[nodiscard]] OnMesh* guideMeshOf(Constraint& constraint);
 
 /// Returns the places of the surface that a constraint names, in the order of the keys of files. Those that have a
 /// selection name none.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/mesh/index_lists.h>
 #include <holdfast/numbers/disjoint_sets.h>
+#include <holdfast/surface/guide_surface.h>
 #include <holdfast/words/printable.h>
 
 namespace holdfast {
@@ -112,7 +114,7 @@ class SystemBuilder {
     for (const Index r : rows) {
       ConstraintRow& row = system_.rows[r];
       row.isChosen = true;
-      system_.tolerant.push_back({r, Exactly{}, row.target, row.shift});
+      system_.tolerant.push_back({r, Exactly{}, row.target, row.shift, {}});
     }
     std::ranges::sort(system_.tolerant, {}, &TolerantRow::row);
   }
@@ -177,7 +179,7 @@ class SystemBuilder {
   void add(const PointConstraint& point)
   {
     requireDirection(point.directions());
-    requireTolerance(point);
+    requireTolerance(point.within, point.directions());
     const KnownPlaces::KnownPoint& known = places_.point(current_, point.at, [&] {
       const SurfacePoint found = located(point.at, ".at");
       return KnownPlaces::KnownPoint{point.at, overUnknowns(found).terms, positionOf(found, rest_),
@@ -185,25 +187,51 @@ class SystemBuilder {
     });
     if (!isEnabled()) return;
     addNearPlace(point.at, known.nearness);
-    const Vector3 target = placeOf(point, known.rest);
-    const Vector3 shift = shiftOf(point, known.rest);
-    if (!std::holds_alternative<Exactly>(point.within))
-      system_.tolerant.push_back({static_cast<Index>(system_.rows.size()), point.within, target, shift});
-    system_.rows.push_back({known.terms, target, shift, current_, RowKind::Position, known.corners, point.directions(),
-                            !std::holds_alternative<Exactly>(point.within)});
+    std::visit([&](const auto& to) { addPosition(known.terms, known.rest, known.corners, to, point.within); },
+               point.to);
   }
 
-  void requireTolerance(const PointConstraint& point) const
+  void requireTolerance(const PointTolerance& tolerance, const RowDirections& directions) const
   {
-    if (const std::optional<ToleranceError> error = validateTolerance(point.within))
+    if (const std::optional<ToleranceError> error = validateTolerance(tolerance, directions))
       throw InputError(key(error->key), error->reason);
-    if (!std::holds_alternative<Exactly>(point.within) && !point.directions().areAll())
-      throw InputError(key(""),
-                       "only a point that goes to one place has a tolerance or a weight; give all of \"target\"");
-    if (system_.tolerant.size() >= kMostTolerantPoints && !std::holds_alternative<Exactly>(point.within))
-      throw InputError(key(""), fmt::format("{} points before it have tolerances or weights, and more are not solved "
-                                            "together; make some exact, or disable some",
-                                            kMostTolerantPoints));
+  }
+
+  /// A point goes where `to` says, from `rest`. Where that or the tolerance leaves a choice its place is chosen.
+  template <class To>
+  void addPosition(FewTerms terms, const Vector3& rest, int corners, const To& to, const PointTolerance& within)
+  {
+    ConstraintRow row{std::move(terms), to.placeFrom(rest), to.shiftFrom(rest), current_, RowKind::Position,
+                      corners,          to.directions()};
+    std::shared_ptr<const GuideSurface> surface;
+    if constexpr (std::is_same_v<To, OnMesh>) {
+      surface = requireSurface(to);
+      row.directions = RowDirections::along(surface->footOf(rest).normal);
+    }
+    row.isChosen = surface != nullptr || !std::holds_alternative<Exactly>(within);
+    if (row.isChosen) {
+      requireFewTolerant();
+      system_.tolerant.push_back(
+          {static_cast<Index>(system_.rows.size()), within, row.target, row.shift, std::move(surface)});
+    }
+    system_.rows.push_back(std::move(row));
+  }
+
+  [[nodiscard]] std::shared_ptr<const GuideSurface> requireSurface(const OnMesh& on) const
+  {
+    if (on.surface == nullptr)
+      throw InputError(
+          key(".on.mesh"),
+          fmt::format("{} was not read; put the file there and open this one again, or disable it", inQuotes(on.path)));
+    return on.surface;
+  }
+
+  void requireFewTolerant() const
+  {
+    if (system_.tolerant.size() < kMostTolerantPoints) return;
+    throw InputError(key(""), fmt::format("{} points up to it have tolerances or weights or lie on surfaces, and more "
+                                          "are not solved together; make some exact, select fewer, or disable some",
+                                          kMostTolerantPoints));
   }
 
   void add(const RigidConstraint& /*rigid*/)
@@ -240,24 +268,39 @@ class SystemBuilder {
     const Guide guide = guideOf(slide, unknowns);
     const RowDirections directions = std::visit([](const auto& on) { return on.directions(); }, guide);
     requireDirection(directions);
+    requireTolerance(slide.within, directions);
+    if (!slide.together) {
+      for (const Index u : unknowns)
+        std::visit(
+            [&](const auto& on) {
+              addPosition({{u, 1.0}}, solverMesh_.rest.row(u), 0, on, slide.within);
+            },
+            guide);
+      return;
+    }
+    requireShiftable(slide);
     const auto placeOnGuide = [&](Index u) {
       return std::visit([&](const auto& on) { return on.placeFrom(solverMesh_.rest.row(u)); }, guide);
     };
     const auto shiftToGuide = [&](Index u) {
       return std::visit([&](const auto& on) { return on.shiftFrom(solverMesh_.rest.row(u)); }, guide);
     };
-    const auto addRow = [&](FewTerms terms, const Vector3& target, const Vector3& shift, RowKind kind) {
-      system_.rows.push_back({std::move(terms), target, shift, current_, kind, 0, directions});
-    };
     const Index first = unknowns.front();
     for (const Index u : unknowns)
-      if (!slide.together)
-        addRow({{u, 1.0}}, placeOnGuide(u), shiftToGuide(u), RowKind::Position);
-      else if (u != first)
-        addRow(difference(SurfacePoint{{{u, 1.0}}}, SurfacePoint{{{first, 1.0}}}),
-               placeOnGuide(u) - placeOnGuide(first), shiftToGuide(u) - shiftToGuide(first), RowKind::Region);
-    if (slide.together && unknowns.size() == 1)
+      if (u != first)
+        system_.rows.push_back({difference(SurfacePoint{{{u, 1.0}}}, SurfacePoint{{{first, 1.0}}}),
+                                placeOnGuide(u) - placeOnGuide(first), shiftToGuide(u) - shiftToGuide(first), current_,
+                                RowKind::Region, 0, directions});
+    if (unknowns.size() == 1)
       note("plane_of_one_vertex", "a plane or a line of one vertex that may shift holds nothing; select more vertices");
+  }
+
+  void requireShiftable(const SlideConstraint& slide) const
+  {
+    if (std::holds_alternative<OnMesh>(slide.on))
+      throw InputError(key(".together"), "only a plane or a line may shift; leave this out");
+    if (!std::holds_alternative<Exactly>(slide.within))
+      throw InputError(key(".together"), "vertices that shift together have no tolerance; leave one of both out");
   }
 
   void add(const CoincidentConstraint& coincident)
@@ -412,13 +455,14 @@ class SystemBuilder {
       system_.rigidRegions.push_back(std::move(region));
   }
 
-  using Guide = std::variant<OnPlane, OnLine>;
+  using Guide = std::variant<OnPlane, OnLine, OnMesh>;
 
   /// Throws `InputError` where the selection fits no plane or line of its own.
   [[nodiscard]] Guide guideOf(const SlideConstraint& slide, const std::vector<Index>& unknowns) const
   {
     if (const auto* plane = std::get_if<OnPlane>(&slide.on)) return *plane;
     if (const auto* line = std::get_if<OnLine>(&slide.on)) return *line;
+    if (const auto* mesh = std::get_if<OnMesh>(&slide.on)) return *mesh;
     const Positions places = solverMesh_.rest(unknowns, Eigen::all);
     if (std::holds_alternative<FittedLine>(slide.on)) {
       if (const std::optional<OnLine> line = fittedLine(places)) return *line;

@@ -1,6 +1,7 @@
 #pragma once
 /// The solver sees constraints as the rows of B and d, in the user's order, over unknowns.
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -49,8 +50,11 @@ struct ConstraintRow {
 struct TolerantRow {
   Index row = 0;  ///< place in `ConstraintSystem::rows`
   PointTolerance within;
-  Vector3 target;          ///< as it is stated, model units
-  Vector3 shift;           ///< what that asks of the displacement
+  Vector3 target;  ///< as it is stated, model units
+  Vector3 shift;   ///< what that asks of the displacement
+  /// The point stays on this surface, and `target` is its foot there: at first the foot of the place at rest. Null for
+  /// others.
+  std::shared_ptr<const GuideSurface> surface = {};
   bool isAtBound = false;  ///< the chosen place lies on a bound, so that the point pulls
 };
 

@@ -7,26 +7,30 @@
 namespace holdfast {
 namespace {
 
-using PossibleError = std::optional<ToleranceError>;
+using ToleranceFault = std::optional<ToleranceError>;
 
-PossibleError errorUnlessAboveZero(const char* key, double value)
+ToleranceFault errorUnlessAboveZero(const char* key, double value)
 {
   if (value > 0 && std::isfinite(value)) return std::nullopt;
   return ToleranceError{key, fmt::format("it must be above 0, this is {}", value)};
 }
 
 struct ErrorOf {
-  PossibleError operator()(const Exactly& /*exactly*/) const { return std::nullopt; }
-  PossibleError operator()(const WithinBall& ball) const { return errorUnlessAboveZero(".within.ball", ball.radius); }
-  PossibleError operator()(const WithinBox& box) const
+  const RowDirections& directions;
+
+  ToleranceFault operator()(const Exactly& /*exactly*/) const { return std::nullopt; }
+  ToleranceFault operator()(const WithinBall& ball) const { return errorUnlessAboveZero(".within.ball", ball.radius); }
+  ToleranceFault operator()(const WithinBox& box) const
   {
+    if (!directions.areAll())
+      return ToleranceError{".within.box", R"(only a point that goes to one place is within a box; give a "ball")"};
     for (const double half : box.half)
-      if (PossibleError error = errorUnlessAboveZero(".within.box", half)) return error;
+      if (ToleranceFault error = errorUnlessAboveZero(".within.box", half)) return error;
     return std::nullopt;
   }
-  PossibleError operator()(const WithinSlab& slab) const
+  ToleranceFault operator()(const WithinSlab& slab) const
   {
-    if (slab.normal.isZero(0)) return ToleranceError{".within.normal", "a direction cannot be zero in x, y and z"};
+    if (ToleranceFault error = errorOfNormal(slab.normal)) return error;
     if (!(slab.low < slab.high))
       return ToleranceError{
           ".within.slab",
@@ -35,14 +39,27 @@ struct ErrorOf {
       return ToleranceError{".within.slab", "one of both bounds is needed"};
     return std::nullopt;
   }
-  PossibleError operator()(const Weighted& weighted) const { return errorUnlessAboveZero(".weight", weighted.weight); }
+  ToleranceFault operator()(const Weighted& weighted) const { return errorUnlessAboveZero(".weight", weighted.weight); }
+
+ private:
+  [[nodiscard]] ToleranceFault errorOfNormal(const std::optional<Vector3>& normal) const
+  {
+    if (!directions.areAll() && !directions.areAlongAxis())
+      return ToleranceError{".within.slab", R"(a point on a line lies in no slab; give a "ball" around the line)"};
+    if (!directions.areAll() && normal)
+      return ToleranceError{".within.normal", "the slab lies along the plane or the surface; leave its normal out"};
+    if (directions.areAll() && !normal) return ToleranceError{".within", R"(the slab needs a "normal"; add one)"};
+    if (normal && normal->isZero(0))
+      return ToleranceError{".within.normal", "a direction cannot be zero in x, y and z"};
+    return std::nullopt;
+  }
 };
 
 }  // namespace
 
-std::optional<ToleranceError> validateTolerance(const PointTolerance& tolerance)
+std::optional<ToleranceError> validateTolerance(const PointTolerance& tolerance, const RowDirections& directions)
 {
-  return std::visit(ErrorOf{}, tolerance);
+  return std::visit(ErrorOf{directions}, tolerance);
 }
 
 }  // namespace holdfast

@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include <holdfast/constraints/row_directions.h>
 #include <holdfast/numbers/types.h>
 
 namespace holdfast {
@@ -13,7 +14,8 @@ namespace holdfast {
 /// The point goes to its target exactly.
 struct Exactly {};
 
-/// The point comes as near to its target as `radius`, or nearer. It is above 0, in model units.
+/// The point comes as near to its target as `radius`, or nearer. It is above 0, in model units. The target of a point
+/// on a plane, a line or a surface is the nearest place there.
 struct WithinBall {
   double radius = 0;
 };
@@ -29,7 +31,7 @@ struct WithinBox {
 struct WithinSlab {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  Vector3 normal = Vector3::UnitZ();
+  std::optional<Vector3> normal;  ///< absent for points on a plane or a surface, which has one of its own
 };
 
 /// The point comes as near to its target as that is worth beside the energy of the surface. `weight` is the weight w of
@@ -47,7 +49,9 @@ struct ToleranceError {
   std::string reason;
 };
 
-/// Returns what contradicts the bounds above.
-[[nodiscard]] std::optional<ToleranceError> validateTolerance(const PointTolerance& tolerance);
+/// Returns what contradicts the bounds above for points that are held in these `directions`. Points on planes and lines
+/// have tolerances across these.
+[[nodiscard]] std::optional<ToleranceError> validateTolerance(const PointTolerance& tolerance,
+                                                              const RowDirections& directions);
 
 }  // namespace holdfast

@@ -51,7 +51,8 @@ Diagnosis rotatedDiagnosis(const EliminatedByAxes& eliminated, ConstraintSystem&
   Contradictions contradictions;
   if (!system.tolerant.empty())
     contradictions = chooseTargets(system, {eliminated, looseStiffness(system, eliminated), mesh.diagonal},
-                                   Columns3::Zero(static_cast<Index>(system.rows.size()), 3));
+                                   Columns3::Zero(static_cast<Index>(system.rows.size()), 3))
+                         .contradictions;
   Diagnosis diagnosis = diagnose(eliminated, system, mesh);
   diagnosis.reasons = std::move(contradictions);
   if (source == RotationSource::Given)

@@ -238,13 +238,17 @@ std::vector<Finding> constraintFindings(const Model& model, const EliminatedByAx
     findings.push_back(undecided(std::move(left)));
   if (std::vector<Index> behind = constraintsOf(details, gaveWay); !behind.empty())
     findings.push_back(laterStand(std::move(behind)));
-  for (const ConstraintNote& note : details.system.notes)
-    findings.push_back({note.kind,
-                        1,
-                        "constraint",
-                        {note.constraint},
-                        fmt::format("{} {}", inQuotes((*details.labels)[note.constraint].name), note.message)});
+  for (const ConstraintNote& note : details.system.notes) findings.push_back(noteFinding(note, *details.labels));
   return findings;
+}
+
+Finding noteFinding(const ConstraintNote& note, const ConstraintLabels& labels)
+{
+  return {note.kind,
+          1,
+          "constraint",
+          {note.constraint},
+          fmt::format("{} {}", inQuotes(labels[note.constraint].name), note.message)};
 }
 
 std::optional<Finding> crowdedFinding(const DeformDetails& details)

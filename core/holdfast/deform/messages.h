@@ -47,6 +47,9 @@ inline constexpr double kDoubtfulAccuracy = 1e-9;
 [[nodiscard]] std::vector<Finding> constraintFindings(const Model& model, const EliminatedByAxes& eliminated,
                                                       const DeformDetails& details);
 
+/// Returns a note about a constraint as a finding.
+[[nodiscard]] Finding noteFinding(const ConstraintNote& note, const ConstraintLabels& labels);
+
 /// Says what helps where more constraints contradict others than a person mends one by one. Returns none where they are
 /// fewer.
 [[nodiscard]] std::optional<Finding> crowdedFinding(const DeformDetails& details);

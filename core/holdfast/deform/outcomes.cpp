@@ -228,8 +228,11 @@ void setDistances(std::vector<ConstraintOutcome>& outcomes, const DeformDetails&
     const ConstraintRow& row = details.system.rows[tolerant.row];
     if (std::holds_alternative<Exactly>(tolerant.within)) continue;
     if (details.diagnosis.status[tolerant.row] == RowStatus::Conflicting) continue;
-    outcomes[row.constraint].offTarget = (row.target - tolerant.target).stableNorm();
-    if (!std::holds_alternative<Weighted>(tolerant.within)) outcomes[row.constraint].isAtBound = tolerant.isAtBound;
+    ConstraintOutcome& outcome = outcomes[row.constraint];
+    const double distance = row.directions.held(row.target - tolerant.target).stableNorm();
+    outcome.offTarget = std::max(outcome.offTarget.value_or(0), distance);
+    if (!std::holds_alternative<Weighted>(tolerant.within))
+      outcome.isAtBound = outcome.isAtBound.value_or(false) || tolerant.isAtBound;
   }
 }
 

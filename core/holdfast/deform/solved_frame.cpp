@@ -106,6 +106,7 @@ class FrameSolver {
     progress.step("solving");
     const Stopwatch solution;
     const SolvedDisplacement displacement = displacementBy(solvers, progress);
+    for (const ConstraintNote& note : chosen_.notes) addFindings({noteFinding(note, *details_->labels)});
     report().unknowns = solvers.unknowns();
     report().factorNonzeros = solvers.factorNonzeros();
     report().method = solvers.method();
@@ -129,7 +130,7 @@ class FrameSolver {
       const Columns3 f = makeF();
       chooseTargetsAt(details_->system, solvers.solve(details_->diagnosis.targets, f).u, f);
       diagnoseRows();
-      details_->diagnosis.reasons = contradictions_;
+      details_->diagnosis.reasons = chosen_.contradictions;
     }
     if (!by_.moved.empty()) return movedBy(solvers);
     auto f = std::make_shared<const Columns3>(makeF());
@@ -142,8 +143,8 @@ class FrameSolver {
   {
     const double scale = isFound() ? 1 : rowsInDiameters(problem_.options.weights, diameterInDiagonals(mesh()));
     const Columns3 forces = forcesAtUnknowns(*problem_.operators.A, by_.actedOn.get(), u, f, mesh().diagonal);
-    contradictions_ = chooseTargets(system, {*by_.eliminated, by_.stiffness, mesh().diagonal, scale},
-                                    by_.eliminated->multipliers(forces));
+    chosen_ = chooseTargets(system, {*by_.eliminated, by_.stiffness, mesh().diagonal, scale},
+                            by_.eliminated->multipliers(forces));
   }
 
   /// By the solutions before, part by part.
@@ -196,7 +197,7 @@ class FrameSolver {
     details_->system = std::move(shape.system);
     diagnoseRows();
     details_->diagnosis.reasons = std::move(shape.reasons);
-    details_->diagnosis.reasons.merge(contradictions_);
+    details_->diagnosis.reasons.merge(chosen_.contradictions);
     addFindings(std::move(shape.findings));
     return {std::make_shared<const Displacement>(std::move(shape.displacement)),
             std::make_shared<const Columns3>(std::move(shape.wanted))};
@@ -320,7 +321,7 @@ class FrameSolver {
   std::shared_ptr<DeformDetails> details_ = std::make_shared<DeformDetails>();
   DeformResult result_;
   double neededDistance_ = 0;
-  Contradictions contradictions_;
+  ChosenPlaces chosen_;
 };
 
 }  // namespace

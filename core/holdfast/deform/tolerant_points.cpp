@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/deform/feet_on_surfaces.h>
 #include <holdfast/mesh/index_lists.h>
 #include <holdfast/solve/allowed_places.h>
 
@@ -33,13 +34,25 @@ std::vector<Index> independentPoints(const ConstraintSystem& system, const AxisE
   return points;
 }
 
-/// Offsets of a row that holds in some directions alone.
-AllowedOffset heldBy(const RowDirections& directions, const Eigen::Matrix3d& frame)
+/// `directions` by coordinates of the frame.
+RowDirections inFrame(const RowDirections& directions, const Eigen::Matrix3d& frame)
 {
+  if (directions.areAll()) return directions;
   const Vector3 axis = frame.transpose() * directions.axis();
-  if (directions.areAlongAxis()) return {0, {}, 0, {axis}};
-  const Vector3 across = axis.unitOrthogonal();
-  return {0, {}, 0, {across, axis.cross(across)}};
+  return directions.areAlongAxis() ? RowDirections::along(axis) : RowDirections::across(axis);
+}
+
+/// How the pull of each tolerant point grows with its own offset, the mean of all axes.
+Eigen::VectorXd ownStiffness(const ConstraintSystem& system, const PlaceChoice& choice)
+{
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Index>(system.tolerant.size()));
+  for (std::size_t p = 0; p < choice.stiffness.size(); ++p) {
+    const double share = static_cast<double>(choice.eliminated.parts()[p].axes.count()) / 3;
+    const auto& [rows, points, matrix] = choice.stiffness[p];
+    for (std::size_t c = 0; c < points.size(); ++c)
+      result[points[c]] += share * matrix(static_cast<Index>(c), static_cast<Index>(c));
+  }
+  return result;
 }
 
 std::vector<Index> rowsOfPoints(const ConstraintSystem& system)
@@ -54,9 +67,13 @@ struct AllowedBy {
   const Eigen::Matrix3d& frame;
   double diagonal;
   double weightScale;
+  RowDirections directions;  // by coordinates of the frame
 
-  AllowedOffset operator()(const Exactly& /*exactly*/) const { return {}; }
-  AllowedOffset operator()(const WithinBall& ball) const { return {ball.radius / diagonal}; }
+  AllowedOffset operator()(const Exactly& /*exactly*/) const { return {.directions = directions, .isZero = true}; }
+  AllowedOffset operator()(const WithinBall& ball) const
+  {
+    return {.directions = directions, .radius = ball.radius / diagonal};
+  }
   AllowedOffset operator()(const WithinBox& box) const
   {
     AllowedOffset result;
@@ -66,25 +83,28 @@ struct AllowedBy {
   }
   AllowedOffset operator()(const WithinSlab& slab) const
   {
-    return {0, {{frame.transpose() * slab.normal.stableNormalized(), slab.low / diagonal, slab.high / diagonal}}};
+    const Vector3 normal =
+        slab.normal ? Vector3(frame.transpose() * slab.normal->stableNormalized()) : directions.axis();
+    return {.directions = directions, .slabs = {{normal, slab.low / diagonal, slab.high / diagonal}}};
   }
   AllowedOffset operator()(const Weighted& weighted) const
   {
     const double w = weighted.weight / weightScale;
-    return {0, {}, w * w};
+    return {.directions = directions, .weight = w * w};
   }
 };
 
 /// Brings a place that is meant to lie within a tolerance there in doubles, too.
 struct WithinInDoubles {
   const Vector3& target;
+  const RowDirections& directions;
 
   /// Far from the origin doubles may lie farther apart than the radius: no more is promised there than their distance.
   Vector3 operator()(const WithinBall& ball, Vector3 offset) const
   {
     constexpr int kMostTries = 4;
-    for (int k = 0; k < kMostTries && (Vector3(target + offset) - target).norm() > ball.radius; ++k)
-      offset *= 1 - std::numeric_limits<double>::epsilon();
+    for (int k = 0; k < kMostTries && directions.held(Vector3(target + offset) - target).norm() > ball.radius; ++k)
+      offset -= std::numeric_limits<double>::epsilon() * directions.held(offset);
     return offset;
   }
   Vector3 operator()(const WithinBox& box, const Vector3& offset) const
@@ -232,38 +252,46 @@ std::vector<PartStiffness> looseStiffness(const ConstraintSystem& system, const 
   return result;
 }
 
-Contradictions chooseTargets(ConstraintSystem& system, const PlaceChoice& choice, const Columns3& pulls)
+ChosenPlaces chooseTargets(ConstraintSystem& system, const PlaceChoice& choice, const Columns3& pulls)
 {
   const Eigen::Matrix3d& frame = choice.eliminated.frame();
-  std::vector<AllowedOffset> allowed;
-  for (const TolerantRow& tolerant : system.tolerant) {
-    const RowDirections& directions = system.rows[tolerant.row].directions;
-    allowed.push_back(directions.areAll()
-                          ? std::visit(AllowedBy{frame, choice.diagonal, choice.weightScale}, tolerant.within)
-                          : heldBy(directions, frame));
-  }
-  const ChosenOffsets chosen = chooseOffsets(PullsOfAxes(system, choice, pulls).made(), allowed);
+  const PullsOfAxes pullsOfAxes(system, choice, pulls);
+  FeetOnSurfaces feet(system, ownStiffness(system, choice), choice.diagonal);
+  ChosenOffsets chosen;
+  Positions offsets;
+  do {
+    std::vector<AllowedOffset> allowed;
+    for (std::size_t i = 0; i < system.tolerant.size(); ++i) {
+      const TolerantRow& tolerant = system.tolerant[i];
+      const RowDirections directions = inFrame(system.rows[tolerant.row].directions, frame);
+      allowed.push_back(std::visit(AllowedBy{frame, choice.diagonal, choice.weightScale, directions}, tolerant.within));
+      feet.restrict(i, allowed.back());
+    }
+    chosen = chooseOffsets(pullsOfAxes.made(), allowed);
+    offsets = choice.diagonal * chosen.offsets * frame.transpose();
+  } while (feet.follow(system, offsets));
   for (std::size_t i = 0; i < system.tolerant.size(); ++i) {
     TolerantRow& tolerant = system.tolerant[i];
+    ConstraintRow& row = system.rows[tolerant.row];
     const Vector3 offset = std::visit(
         [&](const auto& within) {
-          const Vector3 wanted = choice.diagonal * frame * chosen.offsets.row(static_cast<Index>(i)).transpose();
-          return WithinInDoubles{tolerant.target}(within, wanted);
+          return WithinInDoubles{tolerant.target, row.directions}(within, offsets.row(static_cast<Index>(i)));
         },
         tolerant.within);
-    ConstraintRow& row = system.rows[tolerant.row];
     row.target = tolerant.target + offset;
     row.shift = tolerant.shift + offset;
     tolerant.isAtBound = chosen.isAtBound[i] != 0;
   }
-  Contradictions result;
+  ChosenPlaces places;
+  places.notes = feet.notes(system);
+  Contradictions& result = places.contradictions;
   for (const auto& [point, others] : chosen.contradicted) {
     if (point < 0) continue;  // a sum of rows that contradicts others is their conflict
     std::vector<Index>& rows = result[system.tolerant[point].row];
     for (const Index other : others) rows.push_back(other < 0 ? -1 - other : system.tolerant[other].row);
     rows = sortedOnce(std::move(rows));
   }
-  return result;
+  return places;
 }
 
 }  // namespace holdfast

@@ -43,9 +43,14 @@ struct PlaceChoice {
 /// The rows that a row contradicts, a smallest set.
 using Contradictions = std::map<Index, std::vector<Index>>;
 
+/// What is to be said of places that were chosen.
+struct ChosenPlaces {
+  Contradictions contradictions;      ///< of rows whose directions contradict those of rows before them
+  std::vector<ConstraintNote> notes;  ///< about points on surfaces
+};
+
 /// Gives the tolerant rows of `system` the targets of the least energy that are near enough. `pulls` (rows x 3, lengths
-/// in diagonals) are the multipliers of all rows at the targets that the rows have. Returns the rows whose directions
-/// contradict those of rows before them.
-Contradictions chooseTargets(ConstraintSystem& system, const PlaceChoice& choice, const Columns3& pulls);
+/// in diagonals) are the multipliers of all rows at the targets that the rows have.
+ChosenPlaces chooseTargets(ConstraintSystem& system, const PlaceChoice& choice, const Columns3& pulls);
 
 }  // namespace holdfast

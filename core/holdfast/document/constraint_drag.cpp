@@ -47,6 +47,11 @@ void drag(OnPlane& plane, const Vector3& /*place*/, const Vector3& rest, const R
   drag(plane.point, plane.normal, rest, increment);
 }
 
+/// The surface stays where it is, and the point on it.
+void drag(OnMesh& /*surface*/, const Vector3& /*place*/, const Vector3& /*rest*/, const RigidIncrement& /*increment*/)
+{
+}
+
 void drag(OnLine& line, const Vector3& /*place*/, const Vector3& rest, const RigidIncrement& increment)
 {
   drag(line.point, line.direction, rest, increment);

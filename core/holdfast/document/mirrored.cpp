@@ -34,7 +34,8 @@ class Mirror {
     point.at = AtNear{reflected(rest)};
     if (const auto* coordinates = std::get_if<Coordinates>(&point.to)) point.to = reflected(*coordinates, rest);
     std::visit([&](auto& to) { reflect(to); }, point.to);
-    if (auto* slab = std::get_if<WithinSlab>(&point.within)) reflectVector(slab->normal);
+    auto* slab = std::get_if<WithinSlab>(&point.within);
+    if (slab != nullptr && slab->normal) reflectVector(*slab->normal);
     if (std::holds_alternative<WithinBox>(point.within) && !isAlongAxis())
       throw InputError({}, "its box is along coordinate axes, which this plane mirrors into others; give it a ball");
   }
@@ -113,6 +114,10 @@ class Mirror {
   {
     if (plane.point) reflectPlace(*plane.point);
     reflectVector(plane.normal);
+  }
+  void reflect(OnMesh& /*surface*/) const
+  {
+    throw InputError({}, "the mirror image of another mesh is not at hand; mirror its file, and name that");
   }
   void reflect(OnLine& line) const
   {

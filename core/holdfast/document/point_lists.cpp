@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/constraint_files/guide_files.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/io/text/csv_text.h>
 #include <holdfast/io/text/number_text.h>
@@ -94,8 +95,10 @@ ConstraintList fromClipboardText(std::string_view text)
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   if (text.empty())
     throw InputError({kClipboard, 0, ""}, "there is no text to paste; copy constraints or a table of points first");
-  if (text.starts_with('{')) return parseConstraintsJson(text, kClipboard);
-  return parsePointListCsv(text, kClipboard);
+  if (!text.starts_with('{')) return parsePointListCsv(text, kClipboard);
+  ConstraintList list = parseConstraintsJson(text, kClipboard);
+  readGuideFiles(list, {}, kClipboard);
+  return list;
 }
 
 ImportPreview previewImport(const ConstraintList& imported, const ConstraintList& present, const Model& model)

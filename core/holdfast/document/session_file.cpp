@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include <holdfast/constraint_files/constraint_file_internal.h>
+#include <holdfast/constraint_files/guide_files.h>
 #include <holdfast/io/files/file_bytes.h>
 #include <holdfast/io/files/output_file.h>
 
@@ -359,7 +360,9 @@ SessionFile parseSession(std::string_view text, const std::string& name)
 
 SessionFile readSession(const fs::path& path)
 {
-  return parseSession(readTextFile(path), path.string());
+  SessionFile session = parseSession(readTextFile(path), path.string());
+  readGuideFiles(session.document.list, path.parent_path(), path.string());
+  return session;
 }
 
 StatedConstraints readStatedConstraints(const fs::path& path, BadRows badRows)
@@ -374,7 +377,10 @@ StatedConstraints readStatedConstraints(const fs::path& path, BadRows badRows)
     throw InputError({name, 0, ""}, "this is no point list, and bad rows can be skipped only in point lists");
   const JsonValue root = parseJson(text, name);
   const JsonReader json(root, name);
-  return {readConstraintDocument(json), json.has("options") ? readOptions(json["options"]) : StatedOptions{}};
+  StatedConstraints stated{readConstraintDocument(json),
+                           json.has("options") ? readOptions(json["options"]) : StatedOptions{}};
+  readGuideFiles(stated.list, path.parent_path(), name);
+  return stated;
 }
 
 std::string sessionToJson(const SessionFile& session)
@@ -393,7 +399,9 @@ std::string sessionToJson(const SessionFile& session)
 
 void writeSession(const fs::path& path, const SessionFile& session)
 {
-  OutputFile(path, sessionToJson(session)).commit();
+  SessionFile written = session;
+  written.document.list = withGuidePathsFrom(std::move(written.document.list), path.parent_path());
+  OutputFile(path, sessionToJson(written)).commit();
 }
 
 std::string checksumOfFile(const fs::path& path)

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 #include <holdfast/factor/dense_cholesky.h>
 #include <holdfast/numbers/disjoint_sets.h>
@@ -30,29 +31,50 @@ constexpr double kLeastRoom = 1e-9;
 // With this much room there is no need to look for more.
 constexpr double kMuchRoom = 0.05;
 
-/// One bound g(r) <= 0 of the offset r of a point: of a ball (|r / size|^2 - 1) / 2, of half a space
-/// (normal . r - most) / size.
+/// The matrix M with M r = directions.held(r).
+Eigen::Matrix3d matrixOf(const RowDirections& directions)
+{
+  Eigen::Matrix3d M;
+  for (Index k = 0; k < 3; ++k) M.col(k) = directions.held(Vector3::Unit(k));
+  return M;
+}
+
+/// `r` with `held` in place of the part of it that the directions hold.
+Vector3 withHeld(const RowDirections& directions, const Vector3& r, const Vector3& held)
+{
+  return r + (held - directions.held(r));
+}
+
+/// One bound g(r) <= 0 of the offset r of a point: of a ball (|r / size|^2 - 1) / 2, with the part of r that its
+/// directions hold; of half a space (normal . r - most) / size.
 struct Bound {
   Index point = 0;
   bool isBall = false;
   double size = 1;
   Vector3 normal = Vector3::Zero();
   double most = 0;
+  RowDirections directions = {};  // of a ball
 
   [[nodiscard]] double value(const Vector3& r) const
   {
-    return isBall ? ((r / size).squaredNorm() - 1) / 2 : (normal.dot(r) - most) / size;
+    return isBall ? ((directions.held(r) / size).squaredNorm() - 1) / 2 : (normal.dot(r) - most) / size;
   }
   [[nodiscard]] Vector3 gradient(const Vector3& r) const
   {
-    return isBall ? Vector3(r / size / size) : Vector3(normal / size);
+    return isBall ? Vector3(directions.held(r) / size / size) : Vector3(normal / size);
   }
-  [[nodiscard]] double curvature() const { return isBall ? 1 / size / size : 0; }
+  [[nodiscard]] Eigen::Matrix3d curvature() const
+  {
+    if (!isBall) return Eigen::Matrix3d::Zero();
+    return matrixOf(directions) / size / size;
+  }
 
   /// The nearest offset at the bound.
   [[nodiscard]] Vector3 onto(const Vector3& r) const
   {
-    return isBall ? Vector3(r * (size / r.norm())) : Vector3(r + (most - normal.dot(r)) * normal);
+    if (!isBall) return r + (most - normal.dot(r)) * normal;
+    const Vector3 held = directions.held(r);
+    return withHeld(directions, r, held * (size / held.norm()));
   }
 
   /// The longest step along `step` that does not leave the bound; r lies within.
@@ -63,10 +85,12 @@ struct Bound {
       const double along = normal.dot(step);
       return along > 0 ? (most - normal.dot(r)) / along : kNever;
     }
-    const double a = step.squaredNorm();
+    const Vector3 held = directions.held(r);
+    const Vector3 heldStep = directions.held(step);
+    const double a = heldStep.squaredNorm();
     if (a == 0) return kNever;
-    const double b = r.dot(step);
-    const double c = r.squaredNorm() - size * size;  // below 0
+    const double b = held.dot(heldStep);
+    const double c = held.squaredNorm() - size * size;  // below 0
     const double root = std::sqrt(b * b - a * c);
     return b > 0 ? -c / (b + root) : (root - b) / a;
   }
@@ -224,7 +248,7 @@ class OffsetChooser {
           equation.terms.push_back({first_[k] + entry.col(), entry.value()});
       }
     for (std::size_t i = 0; i < allowed_.size(); ++i)
-      for (const Vector3& normal : allowed_[i].fixedAlong) {
+      for (const Vector3& normal : zeroAlong(allowed_[i])) {
         const auto point = static_cast<Index>(i);
         Equation& equation =
             result.emplace_back(Equation{{}, -normal.dot(offset(Eigen::VectorXd::Zero(first_[3]), point)), {point}});
@@ -237,6 +261,18 @@ class OffsetChooser {
         }
       }
     return result;
+  }
+
+  /// The directions along which the offset is 0, square to one another.
+  [[nodiscard]] static std::vector<Vector3> zeroAlong(const AllowedOffset& allowed)
+  {
+    if (!allowed.isZero) return {};
+    const RowDirections& directions = allowed.directions;
+    if (directions.areAll()) return {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
+    const Vector3& axis = directions.axis();
+    if (directions.areAlongAxis()) return {axis};
+    const Vector3 across = axis.unitOrthogonal();
+    return {across, axis.cross(across)};
   }
 
   /// Lets points that follow from no others begin in the middle of their slabs.
@@ -277,7 +313,7 @@ class OffsetChooser {
   [[nodiscard]] static std::vector<Bound> boundsOf(const AllowedOffset& allowed, Index point)
   {
     std::vector<Bound> bounds;
-    if (allowed.radius > 0) bounds.push_back({point, true, allowed.radius, Vector3::Zero(), 0});
+    if (allowed.radius > 0) bounds.push_back({point, true, allowed.radius, Vector3::Zero(), 0, allowed.directions});
     for (const AllowedSlab& slab : allowed.slabs) {
       const double width = slab.high - slab.low;
       const double size =
@@ -309,11 +345,14 @@ class OffsetChooser {
   {
     Quadratic result{Eigen::MatrixXd::Identity(y_.size(), y_.size()) * (1e-9 / bound.size / bound.size),
                      Eigen::VectorXd::Zero(y_.size())};
-    addAt(result.P, bound.point, Eigen::Matrix3d::Identity() * bound.curvature());
-    const Vector3 constant(axes_[0].constant[bound.point], axes_[1].constant[bound.point],
-                           axes_[2].constant[bound.point]);
-    addAt(result.q, bound.point, bound.isBall ? Vector3(constant * bound.curvature()) : bound.gradient(constant));
+    addAt(result.P, bound.point, bound.curvature());
+    addAt(result.q, bound.point, bound.gradient(constantOf(bound.point)));
     return result;
+  }
+
+  [[nodiscard]] Vector3 constantOf(Index point) const
+  {
+    return {axes_[0].constant[point], axes_[1].constant[point], axes_[2].constant[point]};
   }
 
   [[nodiscard]] Quadratic energyOf(const std::vector<char>& isOutOfReach) const
@@ -325,12 +364,13 @@ class OffsetChooser {
       result.q.segment(first_[k], count) = axes_[k].pull;
     }
     for (std::size_t i = 0; i < allowed_.size(); ++i) {
-      const double weight = allowed_[i].weight;
-      if (weight == 0 || isOutOfReach[i] != 0) continue;
+      const auto& [weight, damping] = std::tie(allowed_[i].weight, allowed_[i].damping);
+      if ((weight == 0 && damping == 0) || isOutOfReach[i] != 0) continue;
       const auto point = static_cast<Index>(i);
-      addAt(result.P, point, weight * Eigen::Matrix3d::Identity());
-      addAt(result.q, point,
-            weight * Vector3(axes_[0].constant[point], axes_[1].constant[point], axes_[2].constant[point]));
+      const Eigen::Matrix3d held = matrixOf(allowed_[i].directions);
+      const Eigen::Matrix3d cost = weight * held + damping * (Eigen::Matrix3d::Identity() - held);
+      addAt(result.P, point, cost);
+      addAt(result.q, point, cost * constantOf(point));
     }
     return result;
   }
@@ -413,9 +453,7 @@ class OffsetChooser {
       for (Index b = 0; b < count; ++b) {
         const Bound& bound = bounds_[b];
         const Vector3 slope = bound.gradient(offset(y_, bound.point));
-        addAt(H, bound.point,
-              forces[b] * bound.curvature() * Eigen::Matrix3d::Identity() -
-                  forces[b] / values[b] * (slope * slope.transpose()));
+        addAt(H, bound.point, forces[b] * bound.curvature() - forces[b] / values[b] * (slope * slope.transpose()));
         addAt(gradient, bound.point, -aim / values[b] * slope);
       }
       const Eigen::VectorXd dy = stepOf(H, gradient);
@@ -454,12 +492,14 @@ class OffsetChooser {
   {
     const AllowedOffset& allowed = allowed_[point];
     Vector3 r = chosen.offsets.row(point);
-    if (allowed.radius > 0 && r.norm() > allowed.radius) r *= allowed.radius / r.norm();
+    const Vector3 held = allowed.directions.held(r);
+    if (allowed.radius > 0 && held.norm() > allowed.radius)
+      r = withHeld(allowed.directions, r, held * (allowed.radius / held.norm()));
     for (const AllowedSlab& slab : allowed.slabs) {
       const double along = slab.normal.dot(r);
       r += (std::clamp(along, slab.low, slab.high) - along) * slab.normal;
     }
-    for (const Vector3& normal : allowed.fixedAlong) r -= normal.dot(r) * normal;
+    if (allowed.isZero) r = withHeld(allowed.directions, r, Vector3::Zero());
     chosen.offsets.row(point) = r;
   }
 

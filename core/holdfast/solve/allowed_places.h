@@ -8,6 +8,7 @@
 
 #include <Eigen/Dense>
 
+#include <holdfast/constraints/row_directions.h>
 #include <holdfast/matrices/sparse_products.h>
 #include <holdfast/numbers/types.h>
 
@@ -22,10 +23,12 @@ struct AllowedSlab {
 
 /// An allowed offset says what the offset r of a point from its target may be, and what it costs.
 struct AllowedOffset {
-  double radius = 0;                     ///< |r| <= radius where it is above 0
-  std::vector<AllowedSlab> slabs = {};   ///< all of which hold
-  double weight = 0;                     ///< adds weight |r|^2 / 2 to the energy
-  std::vector<Vector3> fixedAlong = {};  ///< n . r = 0 for each, of length 1
+  RowDirections directions = {};        ///< what follows asks for the part of r that these hold; the rest is free
+  double radius = 0;                    ///< |r| <= radius where it is above 0
+  std::vector<AllowedSlab> slabs = {};  ///< all of which hold
+  double weight = 0;                    ///< adds weight |r|^2 / 2 to the energy
+  bool isZero = false;                  ///< r = 0
+  double damping = 0;                   ///< adds damping |r|^2 / 2 for the part of r that is free
 };
 
 /// Points pull at one another along one axis of the frame. Some of them follow from the others.

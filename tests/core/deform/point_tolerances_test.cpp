@@ -181,7 +181,8 @@ TEST(PointTolerances, OfOneSideOnlyPushOneWay)
 {
   Mesh mesh = test::grid(10, 6);
   const Index corner = mesh.vertexCount() - 1;
-  const auto height = [&](const WithinSlab& slab) {
+  const auto height = [&](double low, double high, double normal = 1) {
+    const WithinSlab slab{low, high, Vector3(0, 0, normal)};
     const DeformResult result = test::deformed(
         mesh,
         test::listOf({test::hold({0, 11, 22, 33, 44, 55, 66}), test::moveBy(AtVertex{corner - 3}, {0, 0, 1}),
@@ -190,11 +191,11 @@ TEST(PointTolerances, OfOneSideOnlyPushOneWay)
     EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     return result.positions(corner, 2);
   };
-  const double free = height({-10, kInfinite, {0, 0, 1}});
-  EXPECT_NEAR(height({-kInfinite, free + 0.1, {0, 0, 3}}), free, 1e-9);
-  EXPECT_NEAR(height({free + 0.5, kInfinite, {0, 0, 1}}), free + 0.5, kRoundingOfPlaces);
-  EXPECT_NEAR(height({-kInfinite, 0.25, {0, 0, 1}}), 0.25, kRoundingOfPlaces);
-  EXPECT_NEAR(height({0.125, 0.25, {0, 0, 1}}), 0.25, kRoundingOfPlaces);
+  const double free = height(-10, kInfinite);
+  EXPECT_NEAR(height(-kInfinite, free + 0.1, 3), free, 1e-9);
+  EXPECT_NEAR(height(free + 0.5, kInfinite), free + 0.5, kRoundingOfPlaces);
+  EXPECT_NEAR(height(-kInfinite, 0.25), 0.25, kRoundingOfPlaces);
+  EXPECT_NEAR(height(0.125, 0.25), 0.25, kRoundingOfPlaces);
 }
 
 /// All points soft: the soft solver is an oracle.
@@ -232,14 +233,14 @@ TEST(PointTolerances, OfRotatedCopiesAreRotated)
   Eigen::Affine3d motion = Eigen::Affine3d::Identity();
   motion.translate(Vector3(3, -2, 1)).rotate(Eigen::AngleAxisd(0.7, Vector3(1, 2, -1).normalized()));
   Measured plain(WithinBall{0.03}, 25, 0.04);
-  plain.list.push_back(near(AtVertex{160}, plain.mesh.positions.row(160), WithinSlab{0.1, 0.3, {0, 0, 1}}));
+  plain.list.push_back(near(AtVertex{160}, plain.mesh.positions.row(160), WithinSlab{0.1, 0.3, Vector3::UnitZ()}));
   Measured askew = plain;
   askew.mesh = test::transformed(plain.mesh, motion);
   for (Constraint& constraint : askew.list)
     if (auto* point = std::get_if<PointConstraint>(&constraint.what)) {
       auto& target = std::get<Target>(point->to);
       target.place = motion * target.place;
-      if (auto* slab = std::get_if<WithinSlab>(&point->within)) slab->normal = motion.linear() * slab->normal;
+      if (auto* slab = std::get_if<WithinSlab>(&point->within)) slab->normal = motion.linear() * *slab->normal;
     }
   const DeformResult a = plain.result();
   const DeformResult b = askew.result();
@@ -349,11 +350,16 @@ TEST(PointTolerances, ThatMakeNoSenseAreRefused)
   };
   EXPECT_THAT(refusal(near(AtVertex{9}, {0, 0, 0}, WithinBall{0})), HasSubstr(".within.ball"));
   EXPECT_THAT(refusal(near(AtVertex{9}, {0, 0, 0}, WithinBox{{1, -1, 1}})), HasSubstr(".within.box"));
-  EXPECT_THAT(refusal(near(AtVertex{9}, {0, 0, 0}, WithinSlab{1, 1, {0, 0, 1}})), HasSubstr("1 is not below 1"));
-  EXPECT_THAT(refusal(near(AtVertex{9}, {0, 0, 0}, WithinSlab{-1, 1, {0, 0, 0}})), HasSubstr(".within.normal"));
+  EXPECT_THAT(refusal(near(AtVertex{9}, {0, 0, 0}, WithinSlab{1, 1, Vector3::UnitZ()})), HasSubstr("1 is not below 1"));
+  EXPECT_THAT(refusal(near(AtVertex{9}, {0, 0, 0}, WithinSlab{-1, 1, Vector3(0, 0, 0)})), HasSubstr(".within.normal"));
   EXPECT_THAT(refusal(near(AtVertex{9}, {0, 0, 0}, Weighted{-5})), HasSubstr(".weight"));
-  EXPECT_THAT(refusal({"", true, PointConstraint{AtVertex{9}, OnLine{}, WithinBall{1}}}),
+  EXPECT_THAT(refusal(near(AtVertex{9}, {0, 0, 0}, WithinSlab{-1, 1, {}})), HasSubstr("needs a \"normal\""));
+  EXPECT_THAT(refusal({"", true, PointConstraint{AtVertex{9}, OnLine{}, WithinBox{{1, 1, 1}}}}),
               HasSubstr("goes to one place"));
+  EXPECT_THAT(refusal({"", true, PointConstraint{AtVertex{9}, OnLine{}, WithinSlab{0, 1, {}}}}),
+              HasSubstr("lies in no slab"));
+  EXPECT_THAT(refusal({"", true, PointConstraint{AtVertex{9}, OnPlane{}, WithinSlab{0, 1, Vector3(0, 0, 1)}}}),
+              HasSubstr("leave its normal out"));
 }
 
 TEST(TolerancesInFiles, HaveTheirKeys)
@@ -379,7 +385,7 @@ TEST(TolerancesInFiles, HaveTheirKeys)
         std::pair(target + R"("within": {"slab": [1, 0], "normal": [0, 0, 1]})", "constraints[0].within.slab"),
         std::pair(target + R"("within": {"slab": [0, 1]})", "constraints[0].within"),
         std::pair(target + R"("within": {"ball": 1}, "weight": 1)", "constraints[0].weight"),
-        std::pair(std::string(R"("target": [1, null, 3], "weight": 1)"), "constraints[0].weight")})
+        std::pair(std::string(R"("target": [1, null, 3], "within": {"box": [1, 1, 1]})"), "constraints[0].within.box")})
     try {
       parsed(keys);
       FAIL() << keys;

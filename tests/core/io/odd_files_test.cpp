@@ -63,7 +63,7 @@ TEST_P(OddFiles, AreWrittenWithOtherPositions)
   EXPECT_EQ(readOdd(again).mesh.faces, document.mesh.faces);
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& by)
+std::string withAllReplaced(std::string text, const std::string& what, const std::string& by)
 {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
     text.replace(at, what.size(), by);
@@ -72,7 +72,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 std::string withReturns(const std::string& text)
 {
-  return replaced(text, "\n", "\r");
+  return withAllReplaced(text, "\n", "\r");
 }
 
 const std::string kOddVertices = "v 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\n";
@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
         OddFile{"OneCorner", ".obj", "f 1\n" + kObjQuad, 2, ""}, OddFile{"NoCorner", ".obj", kObjQuad + "f\n", 2, ""},
         OddFile{"Returns", ".obj", withReturns(kObjQuad)},
         OddFile{"ReturnsWithoutALast", ".obj", withReturns("# one\n" + kOddVertices + "f 1 2\\\n3 4")},
-        OddFile{"DoubleReturns", ".obj", replaced(kObjQuad, "\n", "\r\r\n")},
+        OddFile{"DoubleReturns", ".obj", withAllReplaced(kObjQuad, "\n", "\r\r\n")},
         OddFile{"MixedLineEnds", ".obj", withReturns(kOddVertices) + "g a\r\ng b\nf 1 2 3 4\r"},
         OddFile{"MarkInTheMiddle", ".obj", "\xEF\xBB\xBF" + kOddVertices + "\xEF\xBB\xBF" + "f 1 2 3 4\n"},
         OddFile{"EndOfFileMark", ".obj", kObjQuad + "\x1A"},
@@ -225,12 +225,13 @@ INSTANTIATE_TEST_SUITE_P(
         OddFile{"StlEndSolid", ".stl", "solid a\n" + kOddFacet + "end solid a\n"},
         OddFile{"StlEndSolidGlued", ".stl", "solid AssimpScene\n" + kOddFacet + "endsolidAssimpScene\n"},
         OddFile{"StlSolidGlued", ".stl", "solidPart1\n" + kOddFacet + "END SOLIDPart1\n"},
-        OddFile{"StlEndLoop", ".stl", replaced(replaced(kOddSolid, "endloop", "end loop"), "endfacet", "end facet")},
+        OddFile{"StlEndLoop", ".stl",
+                withAllReplaced(withAllReplaced(kOddSolid, "endloop", "end loop"), "endfacet", "end facet")},
         OddFile{"StlSolidTwice", ".stl", "solid a\n" + kOddSolid + "endsolid a\n"},
         OddFile{"StlColourLines", ".stl", "solid a\ncolor 0.5 0.5 0.5\n" + kOddFacet + "endsolid a\n", 1,
                 "1 line that STL does not have (the first begins with 'color', line 2)"},
-        OddFile{"StlNormalsOfNan", ".stl", replaced(kOddSolid, "0 0 1", "-1.#IND 1.#QNAN 0")},
-        OddFile{"StlNormalsOfNanInWords", ".stl", replaced(kOddSolid, "0 0 1", "-nan(ind) nan inf")},
+        OddFile{"StlNormalsOfNan", ".stl", withAllReplaced(kOddSolid, "0 0 1", "-1.#IND 1.#QNAN 0")},
+        OddFile{"StlNormalsOfNanInWords", ".stl", withAllReplaced(kOddSolid, "0 0 1", "-nan(ind) nan inf")},
         OddFile{"StlReturns", ".stl", withReturns(kOddSolid)},
         OddFile{"StlZeroBehindTheText", ".stl", kOddSolid + std::string(1, '\0')},
         OddFile{"StlCountOfZero", ".stl", stlBinary(0), 2, "counts 0 facets, and the file has as many bytes as 2 take"},

@@ -1,5 +1,6 @@
 #include "holdfast/widgets/scene/scene_contents.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <vtkActor.h>
@@ -8,6 +9,8 @@
 #include <vtkPlaneCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+
+#include <holdfast/deform/deform_details.h>
 
 namespace holdfast {
 namespace {
@@ -19,6 +22,17 @@ constexpr double kCutPixels = 2;
 
 // A share of a ball's diameter.
 constexpr double kSelectionDotSize = 0.42;
+
+/// Each once, in the order of the constraints.
+std::vector<std::shared_ptr<const GuideSurface>> guideSurfacesOf(const DeformResult& deformation)
+{
+  std::vector<std::shared_ptr<const GuideSurface>> surfaces;
+  if (deformation.details == nullptr) return surfaces;
+  for (const TolerantRow& tolerant : deformation.details->system.tolerant)
+    if (tolerant.surface != nullptr && std::ranges::count(surfaces, tolerant.surface) == 0)
+      surfaces.push_back(tolerant.surface);
+  return surfaces;
+}
 
 }  // namespace
 
@@ -66,7 +80,7 @@ std::vector<vtkActor*> SceneContents::actors()
   add(arrows_.actors());
   add({&selection_.dots()});
   add(glyphs_.actors());
-  add({&mesh_.edges(), &rest_.edges(), restSurface_, cut_});
+  add({&mesh_.edges(), &rest_.edges(), restSurface_, &guides_.actor(), cut_});
   return all;
 }
 
@@ -88,6 +102,7 @@ void SceneContents::show(const DeformResult& deformation)
 void SceneContents::showShape(const DeformResult& deformation)
 {
   rotations_ = deformation.rotations;
+  guides_.show(guideSurfacesOf(deformation));
   setPositions(deformation.positions);
 }
 

@@ -12,6 +12,7 @@
 #include <holdfast/widgets/marks/region_tints.h>
 #include <holdfast/widgets/marks/rotation_glyphs.h>
 #include <holdfast/widgets/marks/selection_overlay.h>
+#include <holdfast/widgets/mesh/guide_actor.h>
 #include <holdfast/widgets/mesh/mesh_actor.h>
 
 class vtkRenderer;
@@ -53,7 +54,8 @@ class SceneContents {
   /// marks).
   void show(const DeformResult& deformation);
 
-  /// Shows the positions and rotations of a deformation. The marks of constraints stay as they are.
+  /// Shows the positions and rotations of a deformation, and the surfaces on which it keeps points. The marks of
+  /// constraints stay as they are.
   void showShape(const DeformResult& deformation);
 
   /// Moves the mesh and the selection on it, nothing else. `positions` has one row for each vertex of the file. O(T).
@@ -132,6 +134,7 @@ class SceneContents {
   MeshActor mesh_;
   MeshActor rest_;
   vtkNew<BlendedActor> restSurface_;  // draws that of `rest_`
+  GuideActor guides_{mesh_.sectionPlanes()};
   RegionTints regions_;
   SelectionOverlay selection_;
   RotationGlyphs arrows_;

@@ -10,12 +10,14 @@
 #include <QSettings>
 #include <QSpinBox>
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
 #include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/constraint_files/guide_files.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/report_json.h>
@@ -199,8 +201,9 @@ void DocumentExports::exportReport()
 void DocumentExports::exportConstraints()
 {
   make(tr("Export the constraints"), ".constraints.json", {tr("Constraints (*.json)")},
-       [state = editor_.history().state()](const std::string& /*path*/, Progress& /*progress*/) {
-         return Made{{constraintsToJson(state->list), {}}};
+       [state = editor_.history().state()](const std::string& path, Progress& /*progress*/) {
+         const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+         return Made{{constraintsToJson(withGuidePathsFrom(state->list, folder)), {}}};
        });
 }
 

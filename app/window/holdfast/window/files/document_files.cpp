@@ -8,10 +8,13 @@
 #include <fmt/format.h>
 
 #include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/io/mesh_file.h>
+#include <holdfast/surface/guide_surface.h>
 #include <holdfast/window/controls/open_dialog.h>
 #include <holdfast/window/files/import_dialog.h>
 #include <holdfast/window/files/progress_dialog.h>
 #include <holdfast/window/files/recent_files.h>
+#include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
@@ -44,6 +47,7 @@ DocumentFiles::DocumentFiles(Editor& editor, QWidget* window) : QObject(window),
     if (!editor_.isOpen()) setPath({});
   });
   connect(&editor_, &Editor::meshWanted, this, &DocumentFiles::weld);
+  connect(&editor_, &Editor::guideMeshWanted, this, &DocumentFiles::guideMeshDialog);
 }
 
 void DocumentFiles::open(const QString& path)
@@ -236,6 +240,25 @@ void DocumentFiles::importDialog()
                   tr("Constraints (*.json)"), tr("Points (*.csv *.tsv *.txt *.asc *.xyz)")});
   rememberFolder("import", path);
   if (!path.isEmpty()) importConstraints(path);
+}
+
+void DocumentFiles::guideMeshDialog(const std::vector<Index>& rows)
+{
+  const QString path = askForFile(tr("Choose the mesh to stay on"),
+                                  inLastFolder("guide", textOf(editor_.mesh().path.parent_path())), meshFilters());
+  rememberFolder("guide", path);
+  if (path.isEmpty()) return;
+  const QString name = QFileInfo(path).fileName();
+  failure_ = tr("“%1” cannot be read.").arg(name);
+  job_.start([this, rows, state = editor_.history().state(),
+              file = QFileInfo(path).absoluteFilePath().toStdString()](Progress& progress) {
+    progress.step(fmt::format("reading {}", file));
+    const OnMesh on{file, std::make_shared<const GuideSurface>(readMesh(file).mesh, file)};
+    return [this, rows, state, on] {
+      if (editor_.history().state() == state) keepOnMesh(editor_, rows, on);
+    };
+  });
+  showProgress(job_, window_, tr("Reading %1").arg(name));
 }
 
 void DocumentFiles::importConstraints(const QString& path)

@@ -46,6 +46,8 @@ class DocumentFiles : public QObject {
 
   void importConstraints(const QString& path);
   void importDialog();
+  /// Asks for a mesh, reads it on a thread of its own, and keeps the constraints of `rows` on it (`keepOnMesh`).
+  void guideMeshDialog(const std::vector<Index>& rows);
 
   /// Saves the document. Returns false if nothing was saved, because of an error or because the user did not want it. A
   /// document is open.

@@ -1,5 +1,7 @@
 #pragma once
-/// A section of constraints that keep something on a plane or a line.
+/// A section of constraints that keep something on a plane, a line or another mesh.
+
+#include <QFileInfo>
 
 #include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/words/error.h>
@@ -21,8 +23,8 @@ class GuideSection : public SectionOf<What> {
   using SectionOf<What>::SectionOf;
 
  protected:
-  /// Adds fields for the normal and the offset of planes, and for the direction of lines. Their names begin with
-  /// `prefix`.
+  /// Adds fields for the normal and the offset of planes, for the direction of lines and for meshes. Their names begin
+  /// with `prefix`.
   void bindGuides(const QString& prefix)
   {
     this->bindVector(QObject::tr("&Normal"), prefix + "Normal", ofGuide(&OnPlane::normal),
@@ -36,7 +38,18 @@ class GuideSection : public SectionOf<What> {
                      QObject::tr("rotate the line of %1 to %2 = %3"), [](What& what, int axis, double number) {
                        setDirection(std::get<OnLine>(what.*On).direction, axis, number);
                      });
+    QLabel* mesh = this->addText(QObject::tr("Mesh"), prefix + "Mesh");
+    this->addRefresh([=, this] {
+      const OnMesh* on = std::get_if<OnMesh>(&(this->what().*On));
+      this->setFieldVisible(mesh, on != nullptr);
+      if (on == nullptr) return;
+      mesh->setText(QFileInfo(QString::fromStdString(on->path)).fileName());
+      mesh->setToolTip(QString::fromStdString(on->path));
+    });
   }
+
+  /// Asks for a mesh that the constraints are to stay on.
+  void askForMesh() { Q_EMIT this->editor().guideMeshWanted(this->rows()); }
 
   /// Returns the point that a plane or a line leads through, if it has one; null for anything else.
   static std::optional<Vector3>* throughOf(What& what)

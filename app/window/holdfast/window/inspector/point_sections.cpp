@@ -223,8 +223,8 @@ class LocationSection : public SectionOf<PointConstraint> {
 };
 
 /// In the order of `PointConstraint::to`.
-enum Way { ToPlace, ByShift, ToCoordinates, OnAPlane, OnALine };
-static_assert(std::variant_size_v<decltype(PointConstraint::to)> == OnALine + 1);
+enum Way { ToPlace, ByShift, ToCoordinates, OnAPlane, OnALine, OnAnotherMesh };
+static_assert(std::variant_size_v<decltype(PointConstraint::to)> == OnAnotherMesh + 1);
 
 /// The sets of coordinates that may be free, as bits, in the order in which they are offered.
 constexpr std::array<unsigned, 6> kFreeSets{0b001, 0b010, 0b100, 0b011, 0b110, 0b101};
@@ -235,7 +235,8 @@ class TargetSection : public GuideSection<PointConstraint, &PointConstraint::to>
   {
     bindChoice(
         tr("&Goes"), "targetWay", tr("How the target is given"),
-        {tr("to a place"), tr("by a shift from rest"), tr("to single coordinates"), tr("on a plane"), tr("on a line")},
+        {tr("to a place"), tr("by a shift from rest"), tr("to single coordinates"), tr("on a plane"), tr("on a line"),
+         tr("on another mesh…")},
         [](const PointConstraint& point) { return static_cast<double>(point.to.index()); },
         [this](int way) { chooseWay(static_cast<Way>(way)); });
     VectorEdit* place = bindVector(
@@ -246,6 +247,7 @@ class TargetSection : public GuideSection<PointConstraint, &PointConstraint::to>
     addRefresh([=, this] {
       PointConstraint point = what();
       titleOf(place).setText(throughOf(point) == nullptr ? tr("Ta&rget") : tr("Th&rough"));
+      setFieldVisible(place, !std::holds_alternative<OnMesh>(point.to));
     });
     bindVector(
         tr("Sh&ift"), "targetShift",
@@ -311,13 +313,14 @@ class TargetSection : public GuideSection<PointConstraint, &PointConstraint::to>
 
   void chooseWay(Way way)
   {
+    if (way == OnAnotherMesh) return askForMesh();
     const std::array names{tr("send %1 to a place"), tr("shift %1"), tr("hold coordinates of %1"),
                            tr("keep %1 on a plane"), tr("keep %1 on a line")};
     edit(names[way].arg(subject()), [&](PointConstraint& point) {
       const std::optional<Vector3> rest = restPlace(editor(), point.at);
       if (!rest || point.to.index() == static_cast<std::size_t>(way)) return false;
       point.to = goalOf(way, point, *rest);
-      if (!point.hasTarget()) point.within = Exactly{};
+      if (validateTolerance(point.within, point.directions())) point.within = Exactly{};
       return true;
     });
   }

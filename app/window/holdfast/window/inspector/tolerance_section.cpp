@@ -15,7 +15,8 @@ constexpr double kFirstTolerance = 1e-3;
 // The weight that soft constraints have unless it is said otherwise.
 const double kFirstWeight = SolverOptions().softWeight;
 
-PointTolerance firstOf(Nearness nearness, double size)
+/// What points with these `directions` begin with.
+PointTolerance firstOf(Nearness nearness, double size, const RowDirections& directions)
 {
   switch (nearness) {
     case InBall:
@@ -23,7 +24,7 @@ PointTolerance firstOf(Nearness nearness, double size)
     case InABox:
       return WithinBox{Vector3::Constant(size)};
     case InASlab:
-      return WithinSlab{-size, size, Vector3::UnitZ()};
+      return WithinSlab{-size, size, directions.areAll() ? std::optional(Vector3(Vector3::UnitZ())) : std::nullopt};
     case Soft:
       return Weighted{kFirstWeight};
     default:
@@ -31,81 +32,85 @@ PointTolerance firstOf(Nearness nearness, double size)
   }
 }
 
-/// Reads a member of a tolerance; nothing from points with another one.
-template <class Tolerance, class Member>
-auto ofTolerance(Member Tolerance::*member)
-{
-  return [=](const PointConstraint& point) -> std::optional<Member> {
-    const auto* tolerance = std::get_if<Tolerance>(&point.within);
-    return tolerance == nullptr ? std::nullopt : std::optional(tolerance->*member);
-  };
-}
-
-void requireTolerance(const PointConstraint& point)
-{
-  if (const auto error = validateTolerance(point.within)) throw InputError({}, error->reason);
-}
-
-/// Sets a member of a tolerance that stays valid.
-template <class Tolerance>
-auto setterOf(double Tolerance::*member)
-{
-  return [=](PointConstraint& point, double number) {
-    std::get<Tolerance>(point.within).*member = number;
-    requireTolerance(point);
-  };
-}
-
-class ToleranceSection : public SectionOf<PointConstraint> {
+/// The tolerance of points, or of the vertices of slides.
+template <class What>
+class ToleranceSection : public SectionOf<What> {
  public:
-  explicit ToleranceSection(Editor& editor) : SectionOf(editor, tr("Tolerance"))
+  /// Names of fields begin with `prefix`.
+  ToleranceSection(Editor& editor, const QString& prefix) : SectionOf<What>(editor, QObject::tr("Tolerance"))
   {
-    bindChoice(
-        tr("Comes"), "toleranceWay", tr("How near the point comes to its target"),
-        {tr("to its target exactly"), tr("within a ball around it"), tr("within a box around it"),
-         tr("between two planes"), tr("as near as its weight says")},
-        [](const PointConstraint& point) { return static_cast<double>(point.within.index()); },
+    this->bindChoice(
+        QObject::tr("Comes"), prefix + "Way", QObject::tr("How near it comes to where it goes"),
+        {QObject::tr("there exactly"), QObject::tr("within a ball around it"), QObject::tr("within a box around it"),
+         QObject::tr("between two planes"), QObject::tr("as near as its weight says")},
+        [](const What& what) { return static_cast<double>(what.within.index()); },
         [this](int way) { chooseNearness(static_cast<Nearness>(way)); });
-    bindNumber(tr("Radius"), "toleranceRadius", ofTolerance(&WithinBall::radius), tr("bring %1 within a ball of %2"),
-               setterOf(&WithinBall::radius));
-    explain(bindVector(tr("Half sides"), "toleranceBox", ofTolerance(&WithinBox::half),
-                       tr("bring %1 within a box of %2 = %3"),
-                       [](PointConstraint& point, int axis, double number) {
-                         std::get<WithinBox>(point.within).half[axis] = number;
-                         requireTolerance(point);
-                       }),
-            tr("How far the point may be from its target along each axis"));
-    explain(bindNumber(tr("From"), "toleranceLow", ofTolerance(&WithinSlab::low), tr("keep %1 above %2"),
-                       setterOf(&WithinSlab::low)),
-            tr("From the target along the normal; -inf where there is no bound"));
-    explain(bindNumber(tr("To"), "toleranceHigh", ofTolerance(&WithinSlab::high), tr("keep %1 below %2"),
-                       setterOf(&WithinSlab::high)),
-            tr("From the target along the normal; inf where there is no bound"));
-    bindVector(tr("Across"), "toleranceNormal", ofTolerance(&WithinSlab::normal),
-               tr("rotate the slab of %1 to %2 = %3"), [](PointConstraint& point, int axis, double number) {
-                 setDirection(std::get<WithinSlab>(point.within).normal, axis, number);
-               });
-    explain(bindNumber(tr("Weight"), "toleranceWeight", ofTolerance(&Weighted::weight), tr("weigh %1 by %2"),
-                       setterOf(&Weighted::weight)),
-            tr("As that of soft constraints: the larger, the nearer"));
-  }
-
-  bool fits(const Constraint& constraint) const override
-  {
-    const auto* point = std::get_if<PointConstraint>(&constraint.what);
-    return point != nullptr && point->hasTarget();
+    this->bindNumber(QObject::tr("Radius"), prefix + "Radius", ofTolerance(&WithinBall::radius),
+                     QObject::tr("bring %1 within a ball of %2"), setterOf(&WithinBall::radius));
+    this->explain(this->bindVector(QObject::tr("Half sides"), prefix + "Box", ofTolerance(&WithinBox::half),
+                                   QObject::tr("bring %1 within a box of %2 = %3"),
+                                   [](What& what, int axis, double number) {
+                                     std::get<WithinBox>(what.within).half[axis] = number;
+                                     requireTolerance(what);
+                                   }),
+                  QObject::tr("How far the point may be from its target along each axis"));
+    this->explain(this->bindNumber(QObject::tr("From"), prefix + "Low", ofTolerance(&WithinSlab::low),
+                                   QObject::tr("keep %1 above %2"), setterOf(&WithinSlab::low)),
+                  QObject::tr("From there along the normal; -inf where there is no bound"));
+    this->explain(this->bindNumber(QObject::tr("To"), prefix + "High", ofTolerance(&WithinSlab::high),
+                                   QObject::tr("keep %1 below %2"), setterOf(&WithinSlab::high)),
+                  QObject::tr("From there along the normal; inf where there is no bound"));
+    this->bindVector(
+        QObject::tr("Across"), prefix + "Normal",
+        [](const What& what) {
+          const auto* slab = std::get_if<WithinSlab>(&what.within);
+          return slab == nullptr ? std::nullopt : slab->normal;
+        },
+        QObject::tr("rotate the slab of %1 to %2 = %3"),
+        [](What& what, int axis, double number) {
+          setDirection(*std::get<WithinSlab>(what.within).normal, axis, number);
+        });
+    this->explain(this->bindNumber(QObject::tr("Weight"), prefix + "Weight", ofTolerance(&Weighted::weight),
+                                   QObject::tr("weigh %1 by %2"), setterOf(&Weighted::weight)),
+                  QObject::tr("As that of soft constraints: the larger, the nearer"));
   }
 
  private:
+  /// Reads a member of a tolerance; nothing from what has another one.
+  template <class Tolerance, class Member>
+  static auto ofTolerance(Member Tolerance::*member)
+  {
+    return [=](const What& what) -> std::optional<Member> {
+      const auto* tolerance = std::get_if<Tolerance>(&what.within);
+      return tolerance == nullptr ? std::nullopt : std::optional(tolerance->*member);
+    };
+  }
+
+  static void requireTolerance(const What& what)
+  {
+    if (const auto error = validateTolerance(what.within, what.directions())) throw InputError({}, error->reason);
+  }
+
+  /// Sets a member of a tolerance that stays valid.
+  template <class Tolerance>
+  static auto setterOf(double Tolerance::*member)
+  {
+    return [=](What& what, double number) {
+      std::get<Tolerance>(what.within).*member = number;
+      requireTolerance(what);
+    };
+  }
+
   void chooseNearness(Nearness nearness)
   {
-    const double size = kFirstTolerance * editor().model()->solverMesh.diagonal;
-    edit(nearness == Exact ? tr("bring %1 to its target").arg(subject()) : tr("give %1 a tolerance").arg(subject()),
-         [&](PointConstraint& point) {
-           if (static_cast<Nearness>(point.within.index()) == nearness) return false;
-           point.within = firstOf(nearness, size);
-           return true;
-         });
+    const double size = kFirstTolerance * this->editor().model()->solverMesh.diagonal;
+    const QString name = nearness == Exact ? QObject::tr("bring %1 to its target") : QObject::tr("give %1 a tolerance");
+    this->edit(name.arg(this->subject()), [&](What& what) {
+      if (static_cast<Nearness>(what.within.index()) == nearness) return false;
+      what.within = firstOf(nearness, size, what.directions());
+      requireTolerance(what);
+      return true;
+    });
   }
 };
 
@@ -113,7 +118,8 @@ class ToleranceSection : public SectionOf<PointConstraint> {
 
 Sections newToleranceSections(Editor& editor)
 {
-  return {new ToleranceSection(editor)};
+  return {new ToleranceSection<PointConstraint>(editor, "tolerance"),
+          new ToleranceSection<SlideConstraint>(editor, "slideTolerance")};
 }
 
 }  // namespace holdfast

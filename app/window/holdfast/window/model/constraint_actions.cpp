@@ -1,6 +1,7 @@
 #include "holdfast/window/model/constraint_actions.h"
 
 #include <QClipboard>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QObject>
 #include <algorithm>
@@ -58,6 +59,29 @@ void addConstraint(Editor& editor, const char* stem, decltype(Constraint::what) 
   const QString name = QObject::tr("add %1").arg(nameText(constraint.name));
   editor.edit(name, added(editor.list(), std::move(constraint)));
   editor.selectConstraints({sizeOf(editor.list()) - 1});
+}
+
+void keepOnMesh(Editor& editor, const Rows& rows, const OnMesh& on)
+{
+  if (rows.empty()) {
+    SlideConstraint slide{editor.selection(), on};
+    editor.selectVertices({});
+    return addConstraint(editor, "slide ", std::move(slide));
+  }
+  const QString name = QObject::tr("keep %1 on %2");
+  const QString file = QFileInfo(QString::fromStdString(on.path)).fileName();
+  changeConstraints(editor, name.arg(subjectOf(editor, rows), file), rows, [&](Constraint changed) {
+    const auto put = [&](auto& what, auto& guide) {
+      guide = on;
+      if (validateTolerance(what.within, what.directions())) what.within = Exactly{};
+    };
+    if (auto* point = std::get_if<PointConstraint>(&changed.what)) put(*point, point->to);
+    if (auto* slide = std::get_if<SlideConstraint>(&changed.what)) {
+      put(*slide, slide->on);
+      slide->together = false;
+    }
+    return std::optional(changed);
+  });
 }
 
 void holdPoint(Editor& editor, const SurfacePick& pick)

@@ -29,6 +29,8 @@ void changeConstraints(Editor& editor, const QString& name, const Rows& rows, co
 
 /// Adds a constraint at the end of the list under a name of its own, which begins with `stem`, and selects it.
 void addConstraint(Editor& editor, const char* stem, decltype(Constraint::what) what);
+/// Keeps the points and slides of `rows` on another mesh. Without rows it adds a slide of the selected vertices.
+void keepOnMesh(Editor& editor, const Rows& rows, const OnMesh& on);
 /// Holds a point of the surface where it is now, and selects the constraint.
 void holdPoint(Editor& editor, const SurfacePick& pick);
 

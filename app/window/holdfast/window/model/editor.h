@@ -206,6 +206,9 @@ class Editor : public QObject {
   void opened();  ///< another document, or none
   /// The user or an undone state asks for a mesh that is welded so; `DocumentFiles` prepares it and calls `remodel`.
   void meshWanted(double weldTolerance);
+  /// The constraints of these rows are to stay on another mesh, or without rows a new slide of the selected vertices.
+  /// `DocumentFiles` asks for the mesh.
+  void guideMeshWanted(const std::vector<Index>& rows);
   void stateChanged();       ///< the list or the options; the history with them
   void deformed();           ///< another deformation
   void examined();           ///< the report of the deformation says more than before

@@ -206,7 +206,10 @@ void MainWindow::makeConstraintMenu()
         constrain("rigid ", RigidConstraint{})},
        {"makeSlide", tr("Let it &slide in its plane"), "G",
         tr("The selected vertices move in the plane that lies nearest to them"), Needs::Vertices,
-        constrain("slide ", SlideConstraint{{}, FittedPlane{}, false})},
+        constrain("slide ", SlideConstraint{{}, FittedPlane{}})},
+       {"makeOnMesh", tr("Keep it o&n another mesh…"), "Shift+G",
+        tr("The selected vertices stay on the surface of a scan or another part, and move along it"), Needs::Vertices,
+        [this] { files_.guideMeshDialog({}); }},
        {"makeMirror", tr("Keep it s&ymmetric"), "Shift+M",
         tr("The surface, or what is selected of it, stays its own mirror image: across the section plane, else across "
            "the plane of symmetry that it has"),
