@@ -224,7 +224,7 @@ std::vector<PartStiffness> stiffnessOf(const ConstraintSystem& system, const Axi
     const auto count = static_cast<Index>(its.points.size());
     std::vector<Index> rows;
     for (const Index point : its.points) rows.push_back(rowInPart(parts[p], system.tolerant[point].row));
-    progress.step(fmt::format("solving for each of {} points with tolerances", count));
+    progress.step(fmt::format("solving for each of {} points whose places are chosen", count));
     its.matrix.resize(count, count);
     const Columns3 atRest = Columns3::Zero(A.rows(), kAtOnce);
     for (Index first = 0; first < count; first += kAtOnce) {
