@@ -22,6 +22,10 @@ bool areSquare(const Vector3& a, const Vector3& b)
   return std::abs(a.dot(b)) <= kRoundedAngle;
 }
 
+// Where hardly more rows (one in so many, and three) are at odds with the coordinate axes, these are the frame: all
+// rows are one problem then in the place of two or three.
+constexpr std::size_t kHardlyMore = 10;
+
 /// A direction of rows, up to its sign.
 struct CountedAxis {
   Vector3 axis;
@@ -59,6 +63,18 @@ std::vector<Vector3> axesOfMost(const std::vector<CountedAxis>& counted)
   return axes;
 }
 
+/// The rows with directions that are along none of the axes, ascending.
+std::vector<Index> rowsBesides(const std::vector<Vector3>& axes, const std::vector<ConstraintRow>& rows)
+{
+  std::vector<Index> result;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const RowDirections directions = rows[r].eliminatedDirections();
+    const auto isParallel = [&](const Vector3& axis) { return areParallel(axis, directions.axis()); };
+    if (!directions.areAll() && std::ranges::none_of(axes, isParallel)) result.push_back(static_cast<Index>(r));
+  }
+  return result;
+}
+
 bool isCoordinateAxis(const Vector3& axis)
 {
   return std::ranges::any_of(std::array{0, 1, 2}, [&](int k) { return areParallel(axis, Vector3::Unit(k)); });
@@ -86,14 +102,13 @@ Vector3 alongAxes(const Vector3& value, const std::bitset<3>& axes, const Eigen:
 
 std::vector<Index> rowsAtOdds(const std::vector<ConstraintRow>& rows)
 {
-  const std::vector<Vector3> axes = axesOfMost(countedAxes(rows));
-  std::vector<Index> result;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const RowDirections directions = rows[r].eliminatedDirections();
-    const auto isParallel = [&](const Vector3& axis) { return areParallel(axis, directions.axis()); };
-    if (!directions.areAll() && std::ranges::none_of(axes, isParallel)) result.push_back(static_cast<Index>(r));
-  }
-  return result;
+  const std::vector<CountedAxis> counted = countedAxes(rows);
+  const std::vector<Index> result = rowsBesides(axesOfMost(counted), rows);
+  if (result.empty()) return result;
+  const std::vector<Vector3> coordinateAxes{Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
+  std::vector<Index> besidesCoordinates = rowsBesides(coordinateAxes, rows);
+  const std::size_t most = result.size() + result.size() / kHardlyMore + 3;  // each axis has a row of its own
+  return besidesCoordinates.size() <= std::min(most, kMostTolerantPoints / 2) ? besidesCoordinates : result;
 }
 
 std::optional<Eigen::Matrix3d> commonFrame(const std::vector<ConstraintRow>& rows)

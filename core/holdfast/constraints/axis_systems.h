@@ -13,7 +13,8 @@ namespace holdfast {
 
 /// Returns the rows whose directions are at odds with the axes of most rows, ascending. Directions are at odds where
 /// they are neither parallel nor square to 1e-14. The axes are found one after the other: each is that of most rows
-/// among those that are square to the axes before it. O(rows times directions that differ).
+/// among those that are square to the axes before it. The coordinate axes are taken where hardly more rows are at odds
+/// with them. O(rows times directions that differ).
 [[nodiscard]] std::vector<Index> rowsAtOdds(const std::vector<ConstraintRow>& rows);
 
 /// Returns an orthonormal frame that fits all rows: its columns are axes, and each row with a direction holds along one

@@ -13,8 +13,8 @@ namespace holdfast {
 namespace {
 
 // After so many steps all points are damped more and more, so that the search ends.
-constexpr int kFreeSteps = 40;
-constexpr int kMostSteps = 80;
+constexpr int kFreeSteps = 30;
+constexpr int kMostSteps = 50;
 
 // Feet that move by less, in diagonals, have arrived: where points follow from one another, as on two surfaces at
 // once, all of them have to be met to the last digits.

@@ -289,6 +289,21 @@ TEST(DirectionsAtOdds, LeaveTheAxesToMostRows)
   for (const Index v : {50, 51, 52, 53}) EXPECT_EQ(result.positions(v, 2), 0.5) << "copied bit for bit";
 }
 
+TEST(DirectionsAtOdds, AreOneProblemWhereNoAxisHasManyRows)
+{
+  test::Random random(4);
+  const Mesh mesh = test::plate(8, 8);
+  std::vector<Constraint> all{test::hold({0, 1, 2})};
+  for (const Index v : {20, 30, 40, 50, 60})
+    all.push_back(pointAt(AtVertex{v}, OnPlane{{}, test::randomVector(random, 1), 0.1}));
+  EXPECT_EQ(test::deformed(mesh, test::listOf(all), {}).details->system.tolerant.size(), 5U) << "those of no axis";
+  // A side that is square to none of the coordinate axes keeps its own.
+  all.push_back(
+      {"", true,
+       SlideConstraint{{VertexIds{{70, 71, 72, 73, 74, 75, 76, 77, 78, 79}}}, OnPlane{{}, {0, 1, 1}, 0}, false}});
+  EXPECT_EQ(test::deformed(mesh, test::listOf(all), {}).details->system.tolerant.size(), 5U);
+}
+
 TEST(DirectionsAtOdds, OfThreePlanesAndOneMoreAreNamedInEveryOrder)
 {
   test::Random random(5);
