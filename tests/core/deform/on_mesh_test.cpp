@@ -241,7 +241,9 @@ TEST(TolerancesOfGuides, AreMetAcrossPlanesAndLines)
   const DeformResult nearLine = slidWithin(OnLine{through, normal}, WithinBall{0.1});
   bool isAtBound = false;
   for (const Index v : {40, 41, 50}) {
-    const auto from = [&](const DeformResult& result) { return Vector3(result.positions.row(v)) - through; };
+    const auto from = [&](const DeformResult& result) -> Vector3 {
+      return result.positions.row(v).transpose() - through;
+    };
     EXPECT_LE(std::abs(normal.dot(from(nearPlane))), 0.1 + 1e-14);
     isAtBound = isAtBound || std::abs(normal.dot(from(nearPlane))) > 0.1 - 1e-14;
     EXPECT_GE(normal.dot(from(above)), 0.2 - 1e-14);
