@@ -16,10 +16,8 @@ namespace {
 constexpr int kFreeSteps = 30;
 constexpr int kMostSteps = 50;
 
-// Feet that move by less, in diagonals, have arrived: where points follow from one another, as on two surfaces at
-// once, all of them have to be met to the last digits.
-constexpr double kSettled = 1e-9;
-constexpr double kSettledTogether = 1e-12;
+// Feet that move by less, in diagonals, have arrived. A point on two surfaces at once needs so many digits.
+constexpr double kSettled = 1e-12;
 
 // Feet that move by more, in diagonals, in the last free step are named.
 constexpr double kUnsettled = 1e-5;
@@ -65,8 +63,6 @@ FeetOnSurfaces::FeetOnSurfaces(const ConstraintSystem& system, const Eigen::Vect
 {
   for (std::size_t i = 0; i < system.tolerant.size(); ++i)
     if (system.tolerant[i].surface != nullptr) searches_.push_back({i, stiffness[static_cast<Index>(i)]});
-  const auto followsFromOthers = [](const Search& search) { return search.stiffness == 0; };
-  settled_ = std::ranges::any_of(searches_, followsFromOthers) ? kSettledTogether : kSettled;
 }
 
 void FeetOnSurfaces::restrict(std::size_t point, AllowedOffset& allowed) const
@@ -93,7 +89,7 @@ bool FeetOnSurfaces::follow(ConstraintSystem& system, Positions& offsets)
   ++steps_;
   if (steps_ == kFreeSteps)
     for (Search& search : searches_) search.isUnsettled = search.step.norm() > kUnsettled * diagonal_;
-  return steps_ == 1 || (moved > settled_ && steps_ < kMostSteps);
+  return steps_ == 1 || (moved > kSettled && steps_ < kMostSteps);
 }
 
 void FeetOnSurfaces::follow(Search& search, ConstraintSystem& system, Vector3& offset)

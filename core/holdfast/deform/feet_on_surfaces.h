@@ -43,7 +43,6 @@ class FeetOnSurfaces {
 
   std::vector<Search> searches_;
   double diagonal_;
-  double settled_ = 0;  // in diagonals
   int steps_ = 0;
 };
 

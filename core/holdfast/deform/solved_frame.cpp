@@ -95,7 +95,8 @@ class FrameSolver {
   std::string solve(Progress& progress)
   {
     if (!details_->system.tolerant.empty() && !isHard())
-      return "points with tolerances or weights are solved by hard constraints only; choose these, or make the points "
+      return "points with tolerances or weights and points on other meshes are solved by hard constraints only; choose "
+             "these, or make the points "
              "exact";
     const Stopwatch factorization;
     announceFactorization(progress);

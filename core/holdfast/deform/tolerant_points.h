@@ -43,7 +43,7 @@ struct PlaceChoice {
 /// The rows that a row contradicts, a smallest set.
 using Contradictions = std::map<Index, std::vector<Index>>;
 
-/// What is to be said of places that were chosen.
+/// The choice of places names contradictions, and has notes about constraints.
 struct ChosenPlaces {
   Contradictions contradictions;      ///< of rows whose directions contradict those of rows before them
   std::vector<ConstraintNote> notes;  ///< about points on surfaces

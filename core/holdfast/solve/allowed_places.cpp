@@ -106,7 +106,7 @@ struct Quadratic {
 struct Equation {
   std::vector<Term> terms;
   double to = 0;
-  std::vector<Index> names;  ///< as in `ChosenOffsets::contradicted`: its own, then those of what it follows from
+  std::vector<Index> names;  ///< see `ChosenOffsets::contradicted`: the equation's own name is the first
 };
 
 /// What equations fix of y, and what they leave free. Later ones that contradict those before are left out.

@@ -12,7 +12,7 @@
 
 namespace holdfast {
 
-/// One translucent actor for all of these surfaces. It is hidden where there are none.
+/// A guide actor draws all of these surfaces translucent. It is hidden where there are none.
 class GuideActor {
  public:
   /// Makes an actor that is cut by `sectionPlanes`.

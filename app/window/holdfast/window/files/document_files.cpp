@@ -255,7 +255,8 @@ void DocumentFiles::guideMeshDialog(const std::vector<Index>& rows)
     progress.step(fmt::format("reading {}", file));
     const OnMesh on{file, std::make_shared<const GuideSurface>(readMesh(file).mesh, file)};
     return [this, rows, state, on] {
-      if (editor_.history().state() == state) keepOnMesh(editor_, rows, on);
+      if (editor_.history().state() == state) return keepOnMesh(editor_, rows, on);
+      Q_EMIT done(tr("The constraints have changed meanwhile: choose the mesh again"));
     };
   });
   showProgress(job_, window_, tr("Reading %1").arg(name));
