@@ -114,6 +114,13 @@ std::vector<RegionHold> holdsOf(const std::vector<std::vector<Index>>& regions, 
   return holds;
 }
 
+/// Solves from `near`, which has no numbers where nothing is known.
+Displacement solvedNear(const Displacement& near, const AxisSolvers& solvers, const std::vector<RowTargets>& targets,
+                        const Columns3& f)
+{
+  return near.u.size() == 0 ? solvers.solve(targets, f) : solvers.solveFrom(Displacement(near), targets, f);
+}
+
 /// Anderson's acceleration (1965) of an iteration u <- g(u): goes on from the combination of the last few results for
 /// which the same combination of changes g(u) - u is shortest.
 class Acceleration {
@@ -192,13 +199,15 @@ FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, Rotat
     if (turnsRows) shape.system = decided.withTurnedVectors(rotated(std::move(shape.system), shape.q));
     if (turnsRows || targets.empty()) targets = diagnose(eliminated, shape.system, problem.mesh).targets;
     shape.wanted = problem.energy.wanted(R);
-    if (problem.chooseTargets) {
-      problem.chooseTargets(shape.system, problem.solvers.solve(targets, shape.wanted).u, shape.wanted);
-      targets = diagnose(eliminated, shape.system, problem.mesh).targets;
-    }
-    return shape.displacement.u.size() == 0
-               ? problem.solvers.solve(targets, shape.wanted)
-               : problem.solvers.solveFrom(Displacement(shape.displacement), targets, shape.wanted);
+    Displacement next = solvedNear(shape.displacement, problem.solvers, targets, shape.wanted);
+    if (!problem.chooseTargets) return next;
+    const bool hasFollowed = problem.chooseTargets(shape.system, next, shape.wanted);
+    const bool wasReconciled = isReconciled(targets);
+    targets = diagnose(eliminated, shape.system, problem.mesh).targets;
+    if (!hasFollowed || wasReconciled || isReconciled(targets))
+      return solvedNear(next, problem.solvers, targets, shape.wanted);
+    problem.solvers.meet(targets, next.u);
+    return next;
   };
   shape.displacement = solved();
   Acceleration acceleration;

@@ -18,9 +18,10 @@ struct FoundProblem {
   const RotationEnergy& energy;
   const SolverMesh& mesh;
   const AxisSolvers& solvers;  ///< of `energy.A()`
-  /// Each iteration calls this where points have tolerances. It gives them the best targets. `u` solves for those that
-  /// they have, with A u near `f`.
-  std::function<void(ConstraintSystem& system, const Columns3& u, const Columns3& f)> chooseTargets = {};
+  /// Each iteration calls this where points have tolerances. It gives them the best targets. `displacement` solves for
+  /// those that they have, with A u near `f`. It is taken to the new targets where that costs no solution; the call
+  /// returns whether it was.
+  std::function<bool(ConstraintSystem& system, Displacement& displacement, const Columns3& f)> chooseTargets = {};
 };
 
 struct FoundShape {

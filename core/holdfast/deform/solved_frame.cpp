@@ -127,25 +127,40 @@ class FrameSolver {
     if (!details_->system.tolerant.empty() && !areOfSameRows(by_.stiffness, details_->system))
       by_.stiffness = stiffnessOf(details_->system, solvers, *problem_.operators.A, by_.actedOn.get(), progress);
     if (isFound()) return findBy(solvers, progress);
-    if (!details_->system.tolerant.empty()) {
-      const Columns3 f = makeF();
-      chooseTargetsAt(details_->system, solvers.solve(details_->diagnosis.targets, f).u, f);
-      diagnoseRows();
-      details_->diagnosis.reasons = chosen_.contradictions;
-    }
+    SolvedDisplacement stated = statedBy(solvers);
+    if (details_->system.tolerant.empty()) return stated;
+    auto chosen = std::make_shared<Displacement>(*stated.displacement);
+    const bool wasReconciled = isReconciled(details_->diagnosis.targets);
+    const bool hasFollowed = chooseTargetsAt(details_->system, *chosen, *stated.f);
+    diagnoseRows();
+    details_->diagnosis.reasons = chosen_.contradictions;
+    const std::vector<RowTargets>& targets = details_->diagnosis.targets;
+    if (hasFollowed && !wasReconciled && !isReconciled(targets))
+      solvers.meet(targets, chosen->u);
+    else
+      *chosen = solvers.solve(targets, *stated.f);
+    return {std::move(chosen), std::move(stated.f)};
+  }
+
+  /// Solves for the targets that rows have.
+  SolvedDisplacement statedBy(const AxisSolvers& solvers)
+  {
     if (!by_.moved.empty()) return movedBy(solvers);
     auto f = std::make_shared<const Columns3>(makeF());
     auto displacement = std::make_shared<const Displacement>(solvers.solve(details_->diagnosis.targets, *f));
     return {std::move(displacement), std::move(f)};
   }
 
-  /// Chooses the targets of tolerant points. `u` is the solution for those that `system` has.
-  void chooseTargetsAt(ConstraintSystem& system, const Columns3& u, const Columns3& f)
+  /// Chooses the targets of tolerant points. `displacement` is the solution for those that `system` has. Takes it to
+  /// the chosen ones and returns true, where that costs no solution.
+  bool chooseTargetsAt(ConstraintSystem& system, Displacement& displacement, const Columns3& f)
   {
     const double scale = isFound() ? 1 : rowsInDiameters(problem_.options.weights, diameterInDiagonals(mesh()));
-    const Columns3 forces = forcesAtUnknowns(*problem_.operators.A, by_.actedOn.get(), u, f, mesh().diagonal);
+    const Columns3 forces = forcesAtUnknowns(*problem_.operators.A, by_.actedOn.get(), displacement.u, f, mesh().diagonal);
+    const Columns3 before = tolerantShifts(system);
     chosen_ = chooseTargets(system, {*by_.eliminated, by_.stiffness, mesh().diagonal, scale},
                             by_.eliminated->multipliers(forces));
+    return followTargets(system, before, *by_.eliminated, by_.stiffness, displacement);
   }
 
   /// By the solutions before, part by part.
@@ -185,8 +200,8 @@ class FrameSolver {
     if (problem_.before != nullptr) options.mostIterations = kIterationsOfFrame;
     FoundProblem problem{*problem_.operators.energy, mesh(), solvers, {}};
     if (!details_->system.tolerant.empty())
-      problem.chooseTargets = [this](ConstraintSystem& system, const Columns3& u, const Columns3& f) {
-        chooseTargetsAt(system, u, f);
+      problem.chooseTargets = [this](ConstraintSystem& system, Displacement& displacement, const Columns3& f) {
+        return chooseTargetsAt(system, displacement, f);
       };
     FoundShape shape = findShape(
         problem, std::move(details_->system),

@@ -9,12 +9,16 @@
 #include <holdfast/deform/feet_on_surfaces.h>
 #include <holdfast/mesh/index_lists.h>
 #include <holdfast/solve/allowed_places.h>
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {
 
 // A solution has three columns, each for a target of its own.
 constexpr Index kAtOnce = 3;
+
+// Where the reach of all points has more numbers, each choice of targets is followed by a solution instead.
+constexpr Index kMostNumbersOfReach = 100'000'000;
 
 /// Of a row of the whole system: its place in a part.
 Index rowInPart(const AxisElimination& part, Index row)
@@ -48,9 +52,9 @@ Eigen::VectorXd ownStiffness(const ConstraintSystem& system, const PlaceChoice& 
   Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Index>(system.tolerant.size()));
   for (std::size_t p = 0; p < choice.stiffness.size(); ++p) {
     const double share = static_cast<double>(choice.eliminated.parts()[p].axes.count()) / 3;
-    const auto& [rows, points, matrix] = choice.stiffness[p];
-    for (std::size_t c = 0; c < points.size(); ++c)
-      result[points[c]] += share * matrix(static_cast<Index>(c), static_cast<Index>(c));
+    const PartStiffness& its = choice.stiffness[p];
+    for (std::size_t c = 0; c < its.points.size(); ++c)
+      result[its.points[c]] += share * its.matrix(static_cast<Index>(c), static_cast<Index>(c));
   }
   return result;
 }
@@ -147,7 +151,7 @@ class PullsOfAxes {
   {
     const auto count = static_cast<Index>(stiffness.points.size());
     const auto points = static_cast<Index>(system_.tolerant.size());
-    AxisPull result{stiffness.matrix, Eigen::VectorXd(count), {}, Eigen::VectorXd::Zero(points), {}, {}};
+    AxisPull result{&stiffness.matrix, Eigen::VectorXd(count), {}, Eigen::VectorXd::Zero(points), {}, {}};
     Eigen::VectorXd now(count);  // offsets at which the pulls are known
     std::map<Index, Index> columnOf;
     std::vector<Eigen::Triplet<double, int>> entries;
@@ -217,6 +221,8 @@ std::vector<PartStiffness> stiffnessOf(const ConstraintSystem& system, const Axi
 {
   std::vector<PartStiffness> result;
   const std::vector<AxisElimination>& parts = solvers.eliminated().parts();
+  const auto most = static_cast<Index>(parts.size() * system.tolerant.size());
+  const bool isKept = A.cols() * most <= kMostNumbersOfReach;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const Elimination& elimination = parts[p].eliminated->elimination;
     PartStiffness& its =
@@ -226,6 +232,7 @@ std::vector<PartStiffness> stiffnessOf(const ConstraintSystem& system, const Axi
     for (const Index point : its.points) rows.push_back(rowInPart(parts[p], system.tolerant[point].row));
     progress.step(fmt::format("solving for each of {} points whose places are chosen", count));
     its.matrix.resize(count, count);
+    if (isKept) its.reach.resize(A.cols(), count);
     const Columns3 atRest = Columns3::Zero(A.rows(), kAtOnce);
     for (Index first = 0; first < count; first += kAtOnce) {
       progress.proceed(static_cast<double>(first) / static_cast<double>(count));
@@ -235,6 +242,10 @@ std::vector<PartStiffness> stiffnessOf(const ConstraintSystem& system, const Axi
       const Displacement unit = solvers.of(p).solve({std::move(shifts), {}}, atRest);
       const Columns3 pulls = elimination.multipliers(forcesAtUnknowns(A, actedOn, unit.u, atRest, 1));
       its.matrix.middleCols(first, columns) = pulls(rows, Eigen::all).leftCols(columns);
+      if (!isKept) continue;
+      its.reach.middleCols(first, columns) = unit.u.leftCols(columns);
+      its.reachOfMultipliers.conservativeResize(unit.multipliers.rows(), count);
+      its.reachOfMultipliers.middleCols(first, columns) = unit.multipliers.leftCols(columns);
     }
     its.matrix = (its.matrix + its.matrix.transpose().eval()) / 2;
   }
@@ -292,6 +303,36 @@ ChosenPlaces chooseTargets(ConstraintSystem& system, const PlaceChoice& choice, 
     rows = sortedOnce(std::move(rows));
   }
   return places;
+}
+
+Columns3 tolerantShifts(const ConstraintSystem& system)
+{
+  Columns3 shifts(static_cast<Index>(system.tolerant.size()), 3);
+  for (Index i = 0; i < shifts.rows(); ++i) shifts.row(i) = system.rows[system.tolerant[i].row].shift;
+  return shifts;
+}
+
+bool followTargets(const ConstraintSystem& system, const Columns3& before, const EliminatedByAxes& eliminated,
+                   const std::vector<PartStiffness>& stiffness, Displacement& displacement)
+{
+  const Columns3 moves = tolerantShifts(system) - before;
+  Index kept = 0;
+  for (const PartStiffness& part : stiffness) {
+    if (part.reach.rows() != displacement.u.rows() && !part.points.empty()) return false;
+    kept += part.reachOfMultipliers.rows();
+  }
+  const bool hasMultipliers = kept == displacement.multipliers.rows();
+  Index first = 0;
+  for (std::size_t p = 0; p < stiffness.size(); ++p) {
+    const auto& [rows, points, matrix, reach, reachOfMultipliers] = stiffness[p];
+    const Columns3 its = eliminated.along(p, moves(points, Eigen::all));
+    if (hasMultipliers) displacement.multipliers.middleRows(first, reachOfMultipliers.rows()) += reachOfMultipliers * its;
+    first += reachOfMultipliers.rows();
+    if (points.empty()) continue;
+    const Columns3 inModel = eliminated.isOne() ? its : Columns3(its * eliminated.frame().transpose());
+    parallelBlocks(displacement.u.rows(), [&](Index i) { displacement.u.row(i) += reach.row(i) * inModel; });
+  }
+  return true;
 }
 
 }  // namespace holdfast

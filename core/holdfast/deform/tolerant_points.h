@@ -13,11 +13,16 @@
 
 namespace holdfast {
 
-/// How the pulls of the tolerant rows of one part grow with their displacements.
+/// How far the displacement of one part reaches when tolerant points move by 1, each alone.
+using Reach = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// How the pulls of the tolerant rows of one part grow with their displacements, and how the surface follows these.
 struct PartStiffness {
   std::vector<Index> rows;    ///< of all tolerant rows, in their order
   std::vector<Index> points;  ///< places in `ConstraintSystem::tolerant` of those that follow from no other rows
   Eigen::MatrixXd matrix;     ///< points x points: lengths in diagonals
+  Reach reach = {};           ///< unknowns x points; empty where all parts together would take too much memory
+  Reach reachOfMultipliers = {};  ///< kept rows x points; empty where `reach` is
 };
 
 /// Tells whether it is the stiffness of the tolerant rows of `system`, whatever their targets and tolerances.
@@ -52,5 +57,14 @@ struct ChosenPlaces {
 /// Gives the tolerant rows of `system` the targets of the least energy that are near enough. `pulls` (rows x 3, lengths
 /// in diagonals) are the multipliers of all rows at the targets that the rows have.
 ChosenPlaces chooseTargets(ConstraintSystem& system, const PlaceChoice& choice, const Columns3& pulls);
+
+/// Returns what the tolerant rows of `system` ask for, rows x 3.
+[[nodiscard]] Columns3 tolerantShifts(const ConstraintSystem& system);
+
+/// Takes `displacement`, a solution for what tolerant rows asked for `before`, to that for what they ask for now. False,
+/// and nothing is done, where no reach is known. O(unknowns * points).
+[[nodiscard]] bool followTargets(const ConstraintSystem& system, const Columns3& before,
+                                 const EliminatedByAxes& eliminated, const std::vector<PartStiffness>& stiffness,
+                                 Displacement& displacement);
 
 }  // namespace holdfast

@@ -1,6 +1,7 @@
 #pragma once
 /// A diagnosis says which rows hold, which repeat others and which contradict them, and by how much.
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -31,6 +32,12 @@ struct RowTargets {
                                   ///< share circuits with them: hard constraints meet them by `reconciledParticular`
   Columns3 particular = {};       ///< `Elimination::particular` of the shifts where that is known; else no rows
 };
+
+/// Tells whether rows are to be reconciled.
+[[nodiscard]] inline bool isReconciled(const std::vector<RowTargets>& targets)
+{
+  return std::ranges::any_of(targets, [](const RowTargets& some) { return !some.reconciled.empty(); });
+}
 
 struct Diagnosis {
   std::vector<RowStatus> status;        ///< of each row

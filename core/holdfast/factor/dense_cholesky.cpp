@@ -7,17 +7,20 @@
 #include <holdfast/threads/parallel.h>
 
 namespace holdfast {
+namespace {
 
-bool factorizeDense(Eigen::MatrixXd& A)
+/// Eliminates the first `count` columns. `endOf(k)` says where the rows end that are not 0 in the columns before k.
+template <class EndOf>
+bool eliminateColumns(Eigen::MatrixXd& A, Index count, const EndOf& endOf)
 {
   // Wide enough for the kernels, narrow enough for all threads to have a share.
   constexpr Index kPanel = 128;
   const DenseKernels& kernels = denseKernels();
-  const auto n = A.rows();
   const auto ld = static_cast<int>(A.outerStride());
-  for (Index first = 0; first < n; first += kPanel) {
-    const auto width = static_cast<int>(std::min(kPanel, n - first));
+  for (Index first = 0; first < count; first += kPanel) {
+    const auto width = static_cast<int>(std::min(kPanel, count - first));
     const Index next = first + width;
+    const Index n = endOf(next);
     if (kernels.cholesky(width, &A(first, first), ld) != 0) return false;
     const Index tiles = (n - next + kPanel - 1) / kPanel;
     const auto heightOf = [&](Index tile) { return static_cast<int>(std::min(kPanel, n - next - tile * kPanel)); };
@@ -36,6 +39,26 @@ bool factorizeDense(Eigen::MatrixXd& A)
     });
   }
   return true;
+}
+
+}  // namespace
+
+bool factorizeDense(Eigen::MatrixXd& A)
+{
+  return eliminateColumns(A, A.rows(), [&](Index /*next*/) { return A.rows(); });
+}
+
+/// What elimination leaves of [A, I; I, 0] below A is the inverse, with the other sign.
+std::optional<Eigen::MatrixXd> inverseOfDefinite(const Eigen::MatrixXd& A)
+{
+  const Index n = A.rows();
+  Eigen::MatrixXd both = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  both.topLeftCorner(n, n) = A;
+  both.bottomLeftCorner(n, n).setIdentity();
+  if (!eliminateColumns(both, n, [&](Index next) { return n + next; })) return std::nullopt;
+  Eigen::MatrixXd inverse = both.bottomRightCorner(n, n).selfadjointView<Eigen::Lower>();
+  inverse *= -1;
+  return inverse;
 }
 
 }  // namespace holdfast

@@ -1,6 +1,8 @@
 #pragma once
 /// The Cholesky factorisation of a dense matrix, on all threads.
 
+#include <optional>
+
 #include <Eigen/Dense>
 
 namespace holdfast {
@@ -9,5 +11,9 @@ namespace holdfast {
 /// where `A` is not positive definite in doubles; what is in it then means nothing. The result is the same on any
 /// number of threads. O(n^3).
 [[nodiscard]] bool factorizeDense(Eigen::MatrixXd& A);
+
+/// Returns the inverse of the symmetric matrix `A`, or nothing where it is not positive definite in doubles. Three times
+/// the cost of a factorisation, and memory for 4 n^2 numbers.
+[[nodiscard]] std::optional<Eigen::MatrixXd> inverseOfDefinite(const Eigen::MatrixXd& A);
 
 }  // namespace holdfast

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <tuple>
 
 #include <holdfast/factor/dense_cholesky.h>
-#include <holdfast/numbers/disjoint_sets.h>
-#include <holdfast/numbers/term.h>
+#include <holdfast/solve/block_newton.h>
+#include <holdfast/solve/fixed_sums.h>
+#include <holdfast/solve/offset_bound.h>
 
 namespace holdfast {
 namespace {
@@ -31,179 +31,11 @@ constexpr double kLeastRoom = 1e-9;
 // With this much room there is no need to look for more.
 constexpr double kMuchRoom = 0.05;
 
-/// The matrix M with M r = directions.held(r).
-Eigen::Matrix3d matrixOf(const RowDirections& directions)
-{
-  Eigen::Matrix3d M;
-  for (Index k = 0; k < 3; ++k) M.col(k) = directions.held(Vector3::Unit(k));
-  return M;
-}
-
-/// `r` with `held` in place of the part of it that the directions hold.
-Vector3 withHeld(const RowDirections& directions, const Vector3& r, const Vector3& held)
-{
-  return r + (held - directions.held(r));
-}
-
-/// One bound g(r) <= 0 of the offset r of a point: of a ball (|r / size|^2 - 1) / 2, with the part of r that its
-/// directions hold; of half a space (normal . r - most) / size.
-struct Bound {
-  Index point = 0;
-  bool isBall = false;
-  double size = 1;
-  Vector3 normal = Vector3::Zero();
-  double most = 0;
-  RowDirections directions = {};  // of a ball
-
-  [[nodiscard]] double value(const Vector3& r) const
-  {
-    return isBall ? ((directions.held(r) / size).squaredNorm() - 1) / 2 : (normal.dot(r) - most) / size;
-  }
-  [[nodiscard]] Vector3 gradient(const Vector3& r) const
-  {
-    return isBall ? Vector3(directions.held(r) / size / size) : Vector3(normal / size);
-  }
-  [[nodiscard]] Eigen::Matrix3d curvature() const
-  {
-    if (!isBall) return Eigen::Matrix3d::Zero();
-    return matrixOf(directions) / size / size;
-  }
-
-  /// The nearest offset at the bound.
-  [[nodiscard]] Vector3 onto(const Vector3& r) const
-  {
-    if (!isBall) return r + (most - normal.dot(r)) * normal;
-    const Vector3 held = directions.held(r);
-    return withHeld(directions, r, held * (size / held.norm()));
-  }
-
-  /// The longest step along `step` that does not leave the bound; r lies within.
-  [[nodiscard]] double longest(const Vector3& r, const Vector3& step) const
-  {
-    constexpr double kNever = std::numeric_limits<double>::infinity();
-    if (!isBall) {
-      const double along = normal.dot(step);
-      return along > 0 ? (most - normal.dot(r)) / along : kNever;
-    }
-    const Vector3 held = directions.held(r);
-    const Vector3 heldStep = directions.held(step);
-    const double a = heldStep.squaredNorm();
-    if (a == 0) return kNever;
-    const double b = held.dot(heldStep);
-    const double c = held.squaredNorm() - size * size;  // below 0
-    const double root = std::sqrt(b * b - a * c);
-    return b > 0 ? -c / (b + root) : (root - b) / a;
-  }
-};
-
-/// y^T P y / 2 + q^T y.
-struct Quadratic {
-  Eigen::MatrixXd P;
+/// The sum over the axes of y^T stiffness y / 2, over the points of r^T block r / 2, and q^T y.
+struct OffsetEnergy {
+  std::array<const Eigen::MatrixXd*, 3> stiffness;
+  std::vector<Eigen::Matrix3d> blocks;
   Eigen::VectorXd q;
-};
-
-/// An equation sum of coefficient * y_index = to.
-struct Equation {
-  std::vector<Term> terms;
-  double to = 0;
-  std::vector<Index> names;  ///< see `ChosenOffsets::contradicted`: the equation's own name is the first
-};
-
-/// What equations fix of y, and what they leave free. Later ones that contradict those before are left out.
-class FixedSums {
- public:
-  FixedSums(const std::vector<Equation>& equations, Index count) : particular_(Eigen::VectorXd::Zero(count))
-  {
-    DisjointSets columns(count);
-    for (const Equation& equation : equations)
-      for (const Term& term : equation.terms) columns.unite(equation.terms.front().index, term.index);
-    std::map<Index, Group> groups;  // by representative
-    for (const Equation& equation : equations)
-      if (!equation.terms.empty()) groups[columns.find(equation.terms.front().index)].equations.push_back(&equation);
-    std::vector<Eigen::Triplet<double, int>> entries;
-    int next = 0;
-    for (Index y = 0; y < count; ++y)
-      if (const auto group = groups.find(columns.find(y)); group != groups.end())
-        group->second.columns.push_back(y);
-      else
-        entries.emplace_back(static_cast<int>(y), next++, 1);
-    for (const auto& [representative, group] : groups) solve(group, entries, next);
-    free_ = SparseMatrix(count, next);
-    free_.setFromTriplets(entries.begin(), entries.end());
-  }
-
-  [[nodiscard]] const SparseMatrix& free() const { return free_; }
-  [[nodiscard]] const std::map<Index, std::vector<Index>>& contradicted() const { return contradicted_; }
-
-  /// Returns the y that meets the equations and is nearest to `y`.
-  [[nodiscard]] Eigen::VectorXd nearest(const Eigen::VectorXd& y) const
-  {
-    return particular_ + free_ * (free_.transpose() * (y - particular_));
-  }
-
- private:
-  /// Equations that share columns.
-  struct Group {
-    std::vector<const Equation*> equations;
-    std::vector<Index> columns;  // ascending
-  };
-
-  // What is left of an equation by those before it is rounding below this share.
-  static constexpr double kFollows = 1e-10;
-  // Offsets in diagonals that differ by this are the same.
-  static constexpr double kAgrees = 5e-13;
-
-  /// Gram and Schmidt, twice for the digits. Each direction is a sum of equations, which `sums` has.
-  void solve(const Group& group, std::vector<Eigen::Triplet<double, int>>& entries, int& next)
-  {
-    const auto count = static_cast<Index>(group.columns.size());
-    const auto rows = static_cast<Index>(group.equations.size());
-    Eigen::MatrixXd directions(count, 0);
-    Eigen::MatrixXd sums(rows, 0);  // of equations: each direction
-    Eigen::VectorXd to(rows);
-    for (Index r = 0; r < rows; ++r) {
-      to[r] = group.equations[r]->to;
-      Eigen::VectorXd left = Eigen::VectorXd::Zero(count);
-      for (const Term& term : group.equations[r]->terms)
-        left[std::ranges::lower_bound(group.columns, term.index) - group.columns.begin()] += term.coefficient;
-      const double size = left.norm();
-      Eigen::VectorXd sum = Eigen::VectorXd::Unit(rows, r);
-      for (int twice = 0; twice < 2; ++twice) {
-        const Eigen::VectorXd shares = directions.transpose() * left;
-        left -= directions * shares;
-        sum -= sums * shares;
-      }
-      if (left.norm() > kFollows * size) {
-        directions.conservativeResize(Eigen::NoChange, directions.cols() + 1);
-        sums.conservativeResize(Eigen::NoChange, sums.cols() + 1);
-        directions.rightCols<1>() = left / left.norm();
-        sums.rightCols<1>() = sum / left.norm();
-      } else if (std::abs(sum.dot(to)) > kAgrees * sum.lpNorm<1>()) {
-        contradict(group, sum, r);
-      }
-    }
-    for (Index c = 0; c < directions.cols(); ++c)
-      for (Index k = 0; k < count; ++k) particular_[group.columns[k]] += directions(k, c) * sums.col(c).dot(to);
-    const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(directions).householderQ();
-    for (Index c = directions.cols(); c < count; ++c, ++next)
-      for (Index k = 0; k < count; ++k)
-        if (Q(k, c) != 0) entries.emplace_back(static_cast<int>(group.columns[k]), next, Q(k, c));
-  }
-
-  void contradict(const Group& group, const Eigen::VectorXd& sum, Index row)
-  {
-    const Index own = group.equations[row]->names.front();
-    std::vector<Index>& others = contradicted_[own];
-    if (!others.empty()) return;
-    for (Index r = 0; r <= row; ++r)
-      if (std::abs(sum[r]) > kFollows * sum.lpNorm<Eigen::Infinity>())
-        std::ranges::copy_if(group.equations[r]->names, std::back_inserter(others),
-                             [&](Index name) { return name != own; });
-  }
-
-  Eigen::VectorXd particular_;
-  SparseMatrix free_;
-  std::map<Index, std::vector<Index>> contradicted_;
 };
 
 class OffsetChooser {
@@ -213,7 +45,7 @@ class OffsetChooser {
   {
     for (std::size_t k = 0; k < 3; ++k) first_[k + 1] = first_[k] + axes[k].offsets.cols();
     y_ = Eigen::VectorXd::Zero(first_[3]);
-    const std::vector<Equation> fixed = equations();
+    const std::vector<SumEquation> fixed = equations();
     if (!fixed.empty()) fixed_.emplace(fixed, first_[3]);
   }
 
@@ -225,11 +57,11 @@ class OffsetChooser {
     start();
     for (std::size_t i = 0; i < allowed_.size(); ++i)
       if (!admit(static_cast<Index>(i))) result.isOutOfReach[i] = 1;
-    const Quadratic energy = energyOf(result.isOutOfReach);
+    const OffsetEnergy energy = energyOf(result.isOutOfReach);
     const double work = workOf(energy);
     markBounds(minimise(energy, work, std::nullopt), work, result.isAtBound);
     result.offsets = offsets(y_);
-    for (const Bound& bound : reached_) result.offsets.row(bound.point) = bound.onto(result.offsets.row(bound.point));
+    for (const OffsetBound& bound : reached_) result.offsets.row(bound.point) = bound.onto(result.offsets.row(bound.point));
     for (std::size_t i = 0; i < allowed_.size(); ++i) bringWithin(result, static_cast<Index>(i));
     if (fixed_) result.contradicted = fixed_->contradicted();
     return result;
@@ -237,12 +69,12 @@ class OffsetChooser {
 
  private:
   /// What is fixed, sums first: all else keeps to them.
-  [[nodiscard]] std::vector<Equation> equations() const
+  [[nodiscard]] std::vector<SumEquation> equations() const
   {
-    std::vector<Equation> result;
+    std::vector<SumEquation> result;
     for (std::size_t k = 0; k < 3; ++k)
       for (Index r = 0; r < axes_[k].fixed.rows(); ++r) {
-        Equation& equation = result.emplace_back(Equation{{}, axes_[k].fixedTo[r], {}});
+        SumEquation& equation = result.emplace_back(SumEquation{{}, axes_[k].fixedTo[r], {}});
         for (const Index number : axes_[k].fixedBy[static_cast<std::size_t>(r)]) equation.names.push_back(-1 - number);
         for (SparseRows::InnerIterator entry(axes_[k].fixed, r); entry; ++entry)
           equation.terms.push_back({first_[k] + entry.col(), entry.value()});
@@ -250,8 +82,8 @@ class OffsetChooser {
     for (std::size_t i = 0; i < allowed_.size(); ++i)
       for (const Vector3& normal : zeroAlong(allowed_[i])) {
         const auto point = static_cast<Index>(i);
-        Equation& equation =
-            result.emplace_back(Equation{{}, -normal.dot(offset(Eigen::VectorXd::Zero(first_[3]), point)), {point}});
+        SumEquation& equation =
+            result.emplace_back(SumEquation{{}, -normal.dot(offset(Eigen::VectorXd::Zero(first_[3]), point)), {point}});
         for (std::size_t k = 0; k < 3; ++k) {
           if (normal[static_cast<Index>(k)] == 0) continue;
           for (SparseRows::InnerIterator entry(axes_[k].offsets, point); entry; ++entry)
@@ -310,9 +142,9 @@ class OffsetChooser {
     return result;
   }
 
-  [[nodiscard]] static std::vector<Bound> boundsOf(const AllowedOffset& allowed, Index point)
+  [[nodiscard]] static std::vector<OffsetBound> boundsOf(const AllowedOffset& allowed, Index point)
   {
-    std::vector<Bound> bounds;
+    std::vector<OffsetBound> bounds;
     if (allowed.radius > 0) bounds.push_back({point, true, allowed.radius, Vector3::Zero(), 0, allowed.directions});
     for (const AllowedSlab& slab : allowed.slabs) {
       const double width = slab.high - slab.low;
@@ -329,8 +161,8 @@ class OffsetChooser {
   bool admit(Index point)
   {
     const std::size_t before = bounds_.size();
-    for (const Bound& bound : boundsOf(allowed_[point], point)) {
-      if (!(bound.value(offset(y_, point)) < -kLeastRoom)) static_cast<void>(minimise(boundAsEnergy(bound), 1, bound));
+    for (const OffsetBound& bound : boundsOf(allowed_[point], point)) {
+      if (!(bound.value(offset(y_, point)) < -kLeastRoom)) towards(bound);
       if (!(bound.value(offset(y_, point)) < -kLeastRoom)) {
         bounds_.resize(before);
         return false;
@@ -341,13 +173,18 @@ class OffsetChooser {
   }
 
   /// g(r(y)), and a little of |y|^2, so that there is one minimum.
-  [[nodiscard]] Quadratic boundAsEnergy(const Bound& bound) const
+  void towards(const OffsetBound& bound)
   {
-    Quadratic result{Eigen::MatrixXd::Identity(y_.size(), y_.size()) * (1e-9 / bound.size / bound.size),
-                     Eigen::VectorXd::Zero(y_.size())};
-    addAt(result.P, bound.point, bound.curvature());
-    addAt(result.q, bound.point, bound.gradient(constantOf(bound.point)));
-    return result;
+    std::array<Eigen::MatrixXd, 3> little;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index count = first_[k + 1] - first_[k];
+      if (k == 0 || !isShared()) little[k] = Eigen::MatrixXd::Identity(count, count) * (1e-9 / bound.size / bound.size);
+    }
+    const auto ofAxis = [&](std::size_t k) { return &little[isShared() ? 0 : k]; };
+    OffsetEnergy energy{{ofAxis(0), ofAxis(1), ofAxis(2)}, noBlocks(), Eigen::VectorXd::Zero(y_.size())};
+    energy.blocks[bound.point] = bound.curvature();
+    addAt(energy.q, bound.point, bound.gradient(constantOf(bound.point)));
+    static_cast<void>(minimise(energy, 1, bound));
   }
 
   [[nodiscard]] Vector3 constantOf(Index point) const
@@ -355,32 +192,45 @@ class OffsetChooser {
     return {axes_[0].constant[point], axes_[1].constant[point], axes_[2].constant[point]};
   }
 
-  [[nodiscard]] Quadratic energyOf(const std::vector<char>& isOutOfReach) const
+  [[nodiscard]] std::vector<Eigen::Matrix3d> noBlocks() const
   {
-    Quadratic result{Eigen::MatrixXd::Zero(y_.size(), y_.size()), Eigen::VectorXd(y_.size())};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index count = first_[k + 1] - first_[k];
-      result.P.block(first_[k], first_[k], count, count) = axes_[k].stiffness;
-      result.q.segment(first_[k], count) = axes_[k].pull;
-    }
+    return std::vector<Eigen::Matrix3d>(allowed_.size(), Eigen::Matrix3d::Zero());
+  }
+
+  [[nodiscard]] OffsetEnergy energyOf(const std::vector<char>& isOutOfReach) const
+  {
+    OffsetEnergy result{{axes_[0].stiffness, axes_[1].stiffness, axes_[2].stiffness}, noBlocks(),
+                        Eigen::VectorXd(y_.size())};
+    for (std::size_t k = 0; k < 3; ++k) result.q.segment(first_[k], first_[k + 1] - first_[k]) = axes_[k].pull;
     for (std::size_t i = 0; i < allowed_.size(); ++i) {
       const auto& [weight, damping] = std::tie(allowed_[i].weight, allowed_[i].damping);
       if ((weight == 0 && damping == 0) || isOutOfReach[i] != 0) continue;
-      const auto point = static_cast<Index>(i);
       const Eigen::Matrix3d held = matrixOf(allowed_[i].directions);
-      const Eigen::Matrix3d cost = weight * held + damping * (Eigen::Matrix3d::Identity() - held);
-      addAt(result.P, point, cost);
-      addAt(result.q, point, cost * constantOf(point));
+      result.blocks[i] = weight * held + damping * (Eigen::Matrix3d::Identity() - held);
+      addAt(result.q, static_cast<Index>(i), result.blocks[i] * constantOf(static_cast<Index>(i)));
     }
     return result;
   }
 
-  /// What the pulls at the place that is reached could do within the bounds.
-  [[nodiscard]] double workOf(const Quadratic& energy) const
+  [[nodiscard]] Eigen::VectorXd gradientOf(const OffsetEnergy& energy) const
   {
-    const Eigen::VectorXd gradient = inFree(energy.P * y_ + energy.q);
+    Eigen::VectorXd result = energy.q;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index count = first_[k + 1] - first_[k];
+      result.segment(first_[k], count).noalias() += *energy.stiffness[k] * y_.segment(first_[k], count);
+    }
+    for (std::size_t i = 0; i < energy.blocks.size(); ++i)
+      if (!energy.blocks[i].isZero(0))
+        addAt(result, static_cast<Index>(i), energy.blocks[i] * offset(y_, static_cast<Index>(i), true));
+    return result;
+  }
+
+  /// What the pulls at the place that is reached could do within the bounds.
+  [[nodiscard]] double workOf(const OffsetEnergy& energy) const
+  {
+    const Eigen::VectorXd gradient = inFree(gradientOf(energy));
     double size = 0;
-    for (const Bound& bound : bounds_) size = std::max(size, bound.size);
+    for (const OffsetBound& bound : bounds_) size = std::max(size, bound.size);
     return gradient.lpNorm<1>() * size;
   }
 
@@ -409,10 +259,28 @@ class OffsetChooser {
     return fixed_ ? Eigen::VectorXd(fixed_->free().transpose() * gradient) : gradient;
   }
 
-  /// The step that solves H step = -gradient in the free directions.
-  [[nodiscard]] Eigen::VectorXd stepOf(const Eigen::MatrixXd& H, const Eigen::VectorXd& gradient) const
+  /// Tells whether points are the same along all axes, pull alike, and follow from nothing.
+  [[nodiscard]] bool isShared() const
   {
-    if (!fixed_) return solvedDefinite(H, -gradient);
+    return !fixed_ && axes_[0].stiffness == axes_[1].stiffness && axes_[0].stiffness == axes_[2].stiffness &&
+           axes_[0].offsets.rows() == axes_[0].offsets.cols();
+  }
+
+  /// The step that solves H step = -gradient in the free directions, where H has the stiffness of `energy` and `blocks`.
+  [[nodiscard]] Eigen::VectorXd stepOf(const OffsetEnergy& energy, const std::vector<Eigen::Matrix3d>& blocks,
+                                       const Eigen::VectorXd& gradient) const
+  {
+    if (isShared())
+      if (std::optional<Eigen::VectorXd> step = solveBlockNewton(*energy.stiffness[0], blocks, -gradient))
+        return *std::move(step);
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(y_.size(), y_.size());
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index count = first_[k + 1] - first_[k];
+      H.block(first_[k], first_[k], count, count) = *energy.stiffness[k];
+    }
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+      if (!blocks[i].isZero(0)) addAt(H, static_cast<Index>(i), blocks[i]);
+    if (!fixed_) return solvedDefinite(std::move(H), -gradient);
     const SparseMatrix& free = fixed_->free();
     return free * solvedDefinite(Eigen::MatrixXd(free.transpose() * H) * free, -inFree(gradient));
   }
@@ -435,7 +303,7 @@ class OffsetChooser {
 
   /// Goes from `y_`, where all bounds hold, to where the energy is least within them, or until `stop` has much room.
   /// Returns the multiplier of each bound. `work` is a size of the energy.
-  Eigen::VectorXd minimise(const Quadratic& energy, double work, const std::optional<Bound>& stop)
+  Eigen::VectorXd minimise(const OffsetEnergy& energy, double work, const std::optional<OffsetBound>& stop)
   {
     const auto count = static_cast<Index>(bounds_.size());
     Eigen::VectorXd forces = Eigen::VectorXd::Constant(count, work / static_cast<double>(std::max<Index>(count, 1)));
@@ -448,20 +316,20 @@ class OffsetChooser {
       const double gap = -values.dot(forces);
       if (count > 0 && gap <= kGap * work) break;
       const double aim = count > 0 ? kCentering * gap / static_cast<double>(count) : 0;
-      Eigen::MatrixXd H = energy.P;
-      Eigen::VectorXd gradient = energy.P * y_ + energy.q;
+      std::vector<Eigen::Matrix3d> blocks = energy.blocks;
+      Eigen::VectorXd gradient = gradientOf(energy);
       for (Index b = 0; b < count; ++b) {
-        const Bound& bound = bounds_[b];
+        const OffsetBound& bound = bounds_[b];
         const Vector3 slope = bound.gradient(offset(y_, bound.point));
-        addAt(H, bound.point, forces[b] * bound.curvature() - forces[b] / values[b] * (slope * slope.transpose()));
+        blocks[bound.point] += forces[b] * bound.curvature() - forces[b] / values[b] * (slope * slope.transpose());
         addAt(gradient, bound.point, -aim / values[b] * slope);
       }
-      const Eigen::VectorXd dy = stepOf(H, gradient);
+      const Eigen::VectorXd dy = stepOf(energy, blocks, gradient);
       if (!dy.allFinite()) break;
       double length = 1;
       Eigen::VectorXd change(count);
       for (Index b = 0; b < count; ++b) {
-        const Bound& bound = bounds_[b];
+        const OffsetBound& bound = bounds_[b];
         const Vector3 r = offset(y_, bound.point);
         const Vector3 dr = offset(dy, bound.point, true);
         change[b] = -forces[b] - aim / values[b] - forces[b] / values[b] * bound.gradient(r).dot(dr);
@@ -508,8 +376,8 @@ class OffsetChooser {
   std::array<Index, 4> first_{};  // of each axis, in y
   Eigen::VectorXd y_;
   std::optional<FixedSums> fixed_;  // where something is
-  std::vector<Bound> bounds_;
-  std::vector<Bound> reached_;
+  std::vector<OffsetBound> bounds_;
+  std::vector<OffsetBound> reached_;
 };
 
 }  // namespace

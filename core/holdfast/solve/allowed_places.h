@@ -33,9 +33,10 @@ struct AllowedOffset {
 
 /// Points pull at one another along one axis of the frame. Some of them follow from the others.
 struct AxisPull {
-  Eigen::MatrixXd stiffness;  ///< k x k, positive definite: how the pulls of k points grow with their offsets y
-  Eigen::VectorXd pull;       ///< of these points where all offsets are 0
-  SparseRows offsets;         ///< points x k: the offsets of all points along this axis are `offsets` y + `constant`
+  /// k x k, positive definite: how the pulls of k points grow with their offsets y. Axes may have the same matrix.
+  const Eigen::MatrixXd* stiffness = nullptr;
+  Eigen::VectorXd pull;  ///< of these points where all offsets are 0
+  SparseRows offsets;    ///< points x k: the offsets of all points along this axis are `offsets` y + `constant`
   Eigen::VectorXd constant;
   SparseRows fixed;  ///< sums of y that have to be `fixedTo`
   Eigen::VectorXd fixedTo;
@@ -58,7 +59,7 @@ struct ChosenOffsets {
 /// that are allowed. Points that are out of reach do not count; of two that exclude one another that is the later.
 ///
 /// A primal-dual interior-point method (Boyd and Vandenberghe, Convex Optimization, 11.7) takes some 30 steps of
-/// O(k^3). The offsets are allowed to the last bit, but for points that follow from others. Lengths may have any unit.
+/// O(k^3); one for each axis where all have the same matrix and no point follows from others costs a fifth. The offsets are allowed to the last bit, but for points that follow from others. Lengths may have any unit.
 [[nodiscard]] ChosenOffsets chooseOffsets(const std::array<AxisPull, 3>& axes,
                                           const std::vector<AllowedOffset>& allowed);
 

@@ -16,19 +16,19 @@ namespace {
 // Triangles at an angle of more than 40 degrees meet at a crease.
 constexpr double kCreaseCosine = 0.766;
 
-using Corners = std::array<Vector3, 3>;
+using CornerPlaces = std::array<Vector3, 3>;
 
-Corners cornersOf(const Positions& positions, const Triangle& triangle)
+CornerPlaces cornersOf(const Positions& positions, const Triangle& triangle)
 {
   return {positions.row(triangle[0]), positions.row(triangle[1]), positions.row(triangle[2])};
 }
 
-Vector3 normalOf(const Corners& corners)
+Vector3 normalOf(const CornerPlaces& corners)
 {
   return unitOrZero((corners[1] - corners[0]).cross(corners[2] - corners[0]));
 }
 
-double angleAt(const Corners& corners, std::size_t k)
+double angleAt(const CornerPlaces& corners, std::size_t k)
 {
   const Vector3 a = corners[(k + 1) % 3] - corners[k];
   const Vector3 b = corners[(k + 2) % 3] - corners[k];

@@ -37,5 +37,20 @@ TEST(DenseCholesky, RefusesWhatIsNotDefinite)
   EXPECT_FALSE(factorizeDense(A));
 }
 
+TEST(DenseCholesky, HasTheInverse)
+{
+  test::Random random(5);
+  for (const Eigen::Index size : {1, 2, 128, 129, 300}) {
+    const Eigen::MatrixXd A = randomDefinite(random, size);
+    const std::optional<Eigen::MatrixXd> inverse = inverseOfDefinite(A);
+    ASSERT_TRUE(inverse) << size;
+    EXPECT_EQ(*inverse, inverse->transpose());
+    EXPECT_LT((A * *inverse - Eigen::MatrixXd::Identity(size, size)).cwiseAbs().maxCoeff(), 1e-9) << size;
+  }
+  Eigen::MatrixXd A = randomDefinite(random, 200);
+  A(150, 150) = -1;
+  EXPECT_FALSE(inverseOfDefinite(A));
+}
+
 }  // namespace
 }  // namespace holdfast
