@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
+
+#include <holdfast/threads/parallel.h>
 
 namespace holdfast {
 namespace {
@@ -90,12 +93,12 @@ std::bitset<3> heldAxes(const RowDirections& directions, const Eigen::Matrix3d& 
   return result;
 }
 
-Vector3 alongAxes(const Vector3& value, const std::bitset<3>& axes, const Eigen::Matrix3d& frame)
+/// The matrix that takes rows to coordinates of the frame, with 0 along other axes than these.
+Eigen::Matrix3d toAxes(const std::bitset<3>& axes, Eigen::Matrix3d frame)
 {
-  Vector3 result = Vector3::Zero();
-  for (int k = 0; k < 3; ++k)
-    if (axes[static_cast<std::size_t>(k)]) result[k] = frame.isIdentity(0) ? value[k] : frame.col(k).dot(value);
-  return result;
+  for (Index k = 0; k < 3; ++k)
+    if (!axes[static_cast<std::size_t>(k)]) frame.col(k).setZero();
+  return frame;
 }
 
 }  // namespace
@@ -141,27 +144,34 @@ std::vector<AxisSystem> axisSystems(const ConstraintSystem& system, const Eigen:
     else
       same->axes.set(k);
   }
-  for (AxisSystem& some : result)
+  for (AxisSystem& some : result) {
+    const Eigen::Matrix3d toFrame = toAxes(some.axes, frame).transpose();
     for (const Index r : some.rows) {
       ConstraintRow& row = some.system.rows.emplace_back(system.rows[r]);
-      row.shift = alongAxes(row.shift, some.axes, frame);
+      row.shift = toFrame * row.shift;
       row.directions = {};
     }
+  }
   return result;
 }
 
-Columns3 alongAxes(const Columns3& values, const std::bitset<3>& axes, const Eigen::Matrix3d& frame)
+Columns3 alongAxes(Columns3 values, const std::bitset<3>& axes, const Eigen::Matrix3d& frame)
 {
-  Columns3 result(values.rows(), 3);
-  for (Index i = 0; i < values.rows(); ++i) result.row(i) = alongAxes(Vector3(values.row(i)), axes, frame);
-  return result;
+  const Eigen::Matrix3d toFrame = toAxes(axes, frame);
+  parallelBlocks(values.rows(), [&](Index i) { values.row(i) *= toFrame; });
+  return values;
 }
 
-Columns3 joinedAxes(std::span<const Columns3> ofSystems, const Eigen::Matrix3d& frame)
+Columns3 joinedAxes(std::vector<Columns3> ofSystems, const Eigen::Matrix3d& frame)
 {
-  Columns3 result = ofSystems.front();
-  for (const Columns3& other : ofSystems.subspan(1)) result += other;
-  if (!frame.isIdentity(0)) result *= frame.transpose();
+  Columns3 result = std::move(ofSystems.front());
+  const auto others = std::span(ofSystems).subspan(1);
+  const Eigen::Matrix3d fromFrame = frame.transpose();
+  parallelBlocks(result.rows(), [&](Index i) {
+    Eigen::RowVector3d sum = result.row(i);
+    for (const Columns3& other : others) sum += other.row(i);
+    result.row(i) = sum * fromFrame;
+  });
   return result;
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <bitset>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include <holdfast/constraints/constraint_system.h>
@@ -37,10 +36,10 @@ struct AxisSystem {
 
 /// Returns the part of `values` (n x 3, model coordinates) along the axes of one system, by coordinates of the frame.
 /// The other columns are 0.
-[[nodiscard]] Columns3 alongAxes(const Columns3& values, const std::bitset<3>& axes, const Eigen::Matrix3d& frame);
+[[nodiscard]] Columns3 alongAxes(Columns3 values, const std::bitset<3>& axes, const Eigen::Matrix3d& frame);
 
 /// Returns what was found for all systems (n x 3 each, coordinates of the frame) in model coordinates. Where the frame
 /// is the identity, numbers keep their bits.
-[[nodiscard]] Columns3 joinedAxes(std::span<const Columns3> ofSystems, const Eigen::Matrix3d& frame);
+[[nodiscard]] Columns3 joinedAxes(std::vector<Columns3> ofSystems, const Eigen::Matrix3d& frame);
 
 }  // namespace holdfast

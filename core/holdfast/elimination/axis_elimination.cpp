@@ -110,12 +110,12 @@ std::vector<Columns3> EliminatedByAxes::takenApart(const Columns3& ofRows) const
 
 Columns3 EliminatedByAxes::along(std::size_t k, Columns3 values) const
 {
-  return isOne() ? std::move(values) : alongAxes(values, parts_[k].axes, frame_);
+  return isOne() ? std::move(values) : alongAxes(std::move(values), parts_[k].axes, frame_);
 }
 
 Columns3 EliminatedByAxes::joined(std::vector<Columns3> ofParts) const
 {
-  return isOne() ? std::move(ofParts.front()) : joinedAxes(ofParts, frame_);
+  return isOne() ? std::move(ofParts.front()) : joinedAxes(std::move(ofParts), frame_);
 }
 
 std::vector<double> EliminatedByAxes::sensitivities() const

@@ -109,8 +109,7 @@ TEST(AxisSystems, AreJoinedToWhatWasTakenApart)
   u << 0.1, -0.0, 0.3, 1e-30, 5, 6;
   for (const Eigen::Matrix3d& frame :
        {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), *frameOf({RowDirections::along({1, 2, 2})})}) {
-    const std::vector<Columns3> parts{alongAxes(u, 0b101, frame), alongAxes(u, 0b010, frame)};
-    const Columns3 joined = joinedAxes(parts, frame);
+    const Columns3 joined = joinedAxes({alongAxes(u, 0b101, frame), alongAxes(u, 0b010, frame)}, frame);
     if (frame.isIdentity(0))
       EXPECT_EQ(joined, u);
     else
