@@ -158,6 +158,23 @@ TEST_F(GizmoDrawn, OffersNoRingsToWhatOnlyMoves)
   EXPECT_TRUE(gizmo->Offers(GizmoPart::ArrowX));
 }
 
+TEST_F(GizmoDrawn, OffersWhatMovesAPlaneOrALineAlone)
+{
+  const auto offered = [&](GizmoMotions motions) {
+    gizmo->SetMotions(motions);
+    std::vector<GizmoPart> parts;
+    for (int part = 0; part < kGizmoPartCount; ++part)
+      if (gizmo->Offers(static_cast<GizmoPart>(part))) parts.push_back(static_cast<GizmoPart>(part));
+    return parts;
+  };
+  EXPECT_EQ(offered(GizmoMotions::MovesAlongZ), std::vector{GizmoPart::ArrowZ});
+  EXPECT_EQ(pixelsOf(GizmoPart::ArrowX), 0);
+  EXPECT_GT(pixelsOf(GizmoPart::ArrowZ), 0);
+  EXPECT_EQ(offered(GizmoMotions::MovesAcrossZ),
+            (std::vector{GizmoPart::ArrowX, GizmoPart::ArrowY, GizmoPart::SquareZ}));
+  EXPECT_GT(pixelsOf(GizmoPart::ArrowX), 50);
+}
+
 TEST_F(GizmoDrawn, AlignsItsAxesWithTheViewUnlessItIsDragged)
 {
   gizmo->AlignToViewOn();

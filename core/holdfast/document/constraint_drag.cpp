@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <holdfast/constraints/selector.h>
 #include <holdfast/document/handle_restated.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/surface/surface_locator.h>
@@ -47,14 +48,33 @@ void drag(OnPlane& plane, const Vector3& /*place*/, const Vector3& rest, const R
   drag(plane.point, plane.normal, rest, increment);
 }
 
-/// The surface stays where it is, and the point on it.
+void drag(OnLine& line, const Vector3& /*place*/, const Vector3& rest, const RigidIncrement& increment)
+{
+  drag(line.point, line.direction, rest, increment);
+}
+
+/// The surface stays where it is.
 void drag(OnMesh& /*surface*/, const Vector3& /*place*/, const Vector3& /*rest*/, const RigidIncrement& /*increment*/)
 {
 }
 
-void drag(OnLine& line, const Vector3& /*place*/, const Vector3& rest, const RigidIncrement& increment)
+/// Vertices that each have a plane of their own move it along the normal.
+void drag(SlideConstraint& slide, const RigidIncrement& increment)
 {
-  drag(line.point, line.direction, rest, increment);
+  if (auto* const plane = std::get_if<OnPlane>(&slide.on)) {
+    if (!plane->point && increment.degrees == 0)
+      plane->offset += plane->normal.stableNormalized().dot(increment.translation);
+    else
+      drag(*plane, {}, plane->point.value_or(increment.pivot), increment);
+  }
+  if (auto* const line = std::get_if<OnLine>(&slide.on)) drag(*line, {}, *line->point, increment);
+}
+
+/// Tells whether the plane or the line of a slide is one that a drag can move.
+bool canDrag(const SlideConstraint& slide)
+{
+  const auto* const line = std::get_if<OnLine>(&slide.on);
+  return !slide.together && (std::holds_alternative<OnPlane>(slide.on) || (line != nullptr && line->point));
 }
 
 /// Tells whether a row places a point. The rows of a region have no corners.
@@ -74,11 +94,19 @@ ConstraintDrag::ConstraintDrag(const Model& model, const ConstraintList& list, s
     const Constraint& constraint = list.constraints[c];
     if (!constraint.isEnabled) continue;
     if (std::holds_alternative<HandleConstraint>(constraint.what)) handles.push_back(c);
+    if (const auto* const slide = std::get_if<SlideConstraint>(&constraint.what); slide != nullptr && canDrag(*slide)) {
+      Selector selector(model.mesh, model.solverMesh, model.locator());
+      const std::vector<Index> vertices = selector.select(slide->select, below(placeInList(source, c), ".select"));
+      const Vector3 rest = centroid(model.mesh.positions(vertices, Eigen::all));
+      const auto* const plane = std::get_if<OnPlane>(&slide->on);
+      guides_.push_back({c, plane != nullptr ? plane->placeFrom(rest) : std::get<OnLine>(slide->on).placeFrom(rest),
+                         slide->directions()});
+    }
     const auto* point = std::get_if<PointConstraint>(&constraint.what);
-    if (point == nullptr) continue;
+    if (point == nullptr || std::holds_alternative<OnMesh>(point->to)) continue;
     const SurfacePoint at = model.locator().locate(point->at, below(placeInList(source, c), ".at"));
     const Vector3 rest = positionOf(at, model.mesh.positions);
-    points_.push_back({c, at, rest, placeOf(*point, rest)});
+    points_.push_back({c, at, rest, placeOf(*point, rest), point->directions()});
   }
   if (handles.empty()) return;
   std::vector<HandleSetting> settings = settingsOf(model, list, handles, source);
@@ -96,12 +124,21 @@ Vector3 ConstraintDrag::center() const
   Vector3 sum = Vector3::Zero();
   for (const DraggedPoint& point : points_) sum += point.place;
   for (const DraggedHandle& handle : handles_) sum += handle.center;
-  return sum / static_cast<double>(points_.size() + handles_.size());
+  for (const DraggedGuide& guide : guides_) sum += guide.place;
+  return sum / static_cast<double>(count());
+}
+
+RowDirections ConstraintDrag::directions() const
+{
+  if (count() != 1 || hasHandles()) return {};
+  return points_.empty() ? guides_.front().directions : points_.front().directions;
 }
 
 Eigen::Matrix3d ConstraintDrag::axes(const Positions& positions) const
 {
   assert(!isEmpty());
+  if (const RowDirections its = directions(); !its.areAll()) return axesAbout(its.axis());
+  if (points_.empty() && handles_.empty()) return axesAbout(guides_.front().directions.axis());
   const bool isPoint =
       handles_.empty() || (!points_.empty() && points_.front().constraint < handles_.front().constraint);
   if (isPoint) return surfaceAxes(*model_, points_.front().point, positions);
@@ -156,6 +193,8 @@ ConstraintList ConstraintDrag::movedBy(const RigidIncrement& increment)
     auto& point = std::get<PointConstraint>(moved.constraints[dragged.constraint].what);
     std::visit([&](auto& to) { drag(to, dragged.place, dragged.rest, increment); }, point.to);
   }
+  for (const DraggedGuide& dragged : guides_)
+    drag(std::get<SlideConstraint>(moved.constraints[dragged.constraint].what), increment);
   for (DraggedHandle& dragged : handles_) moved.constraints[dragged.constraint].what = nextFrame(dragged, increment);
   return moved;
 }

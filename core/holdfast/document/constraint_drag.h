@@ -17,22 +17,25 @@ namespace holdfast {
 /// list that there was.
 class ConstraintDrag {
  public:
-  /// Enabled points and handles among `constraints` (places in the list) move. Throws `InputError` where one does not
-  /// fit the mesh. `source` names the list. `model` must stay alive as long as the drag.
+  /// Enabled points and handles among `constraints` (places in the list) move, and so do planes and lines on which
+  /// points or selections slide, where these are stated. Points on other meshes do not. Throws `InputError` where one
+  /// does not fit the mesh. `source` names the list. `model` must stay alive as long as the drag.
   ConstraintDrag(const Model& model, const ConstraintList& list, std::span<const Index> constraints,
                  const std::string& source);
 
-  [[nodiscard]] bool isEmpty() const noexcept { return points_.empty() && handles_.empty(); }
+  [[nodiscard]] bool isEmpty() const noexcept { return count() == 0; }
   [[nodiscard]] bool hasHandles() const noexcept { return !handles_.empty(); }
   /// Tells whether what moves can turn: a handle can, and so can several points as a group.
-  [[nodiscard]] bool canRotate() const noexcept { return hasHandles() || points_.size() > 1; }
+  [[nodiscard]] bool canRotate() const noexcept { return hasHandles() || count() > 1; }
+  /// Returns the directions in which a motion changes anything: a plane moves along its normal, a line across itself.
+  [[nodiscard]] RowDirections directions() const;
 
   /// Returns the middle of where all that moves is to be, in model units. Something must move.
   [[nodiscard]] Vector3 center() const;
 
   /// Returns the axes of the first constraint that moves, as right-handed orthonormal columns. A handle has the axes of
   /// the frame that it goes to. Without a frame it has its `principalAxes` at rest, turned with it. A point has its
-  /// `surfaceAxes` at `positions`.
+  /// `surfaceAxes` at `positions`. Where motions change nothing in some `directions`, the third axis is that of these.
   [[nodiscard]] Eigen::Matrix3d axes(const Positions& positions) const;
 
   /// Returns the centroid of all that is fixed. Returns none where nothing is fixed or no handle moves.
@@ -56,6 +59,7 @@ class ConstraintDrag {
     SurfacePoint point;
     Vector3 rest;
     Vector3 place;  // where it is to be
+    RowDirections directions;
   };
   struct DraggedHandle {
     Index constraint = 0;
@@ -64,6 +68,14 @@ class ConstraintDrag {
     AxisAngle turn;  // of the last frame
   };
 
+  /// The plane or line on which a selection slides.
+  struct DraggedGuide {
+    Index constraint = 0;
+    Vector3 place;  // the nearest on it to the centroid of the selection
+    RowDirections directions;
+  };
+
+  [[nodiscard]] std::size_t count() const noexcept { return points_.size() + handles_.size() + guides_.size(); }
   [[nodiscard]] const HandleConstraint& startOf(const DraggedHandle& dragged) const;
   [[nodiscard]] HandleConstraint nextFrame(DraggedHandle& dragged, const RigidIncrement& increment) const;
 
@@ -71,6 +83,7 @@ class ConstraintDrag {
   ConstraintList list_;
   std::vector<DraggedPoint> points_;
   std::vector<DraggedHandle> handles_;
+  std::vector<DraggedGuide> guides_;
 };
 
 /// These points of the list lie at one place of the surface.

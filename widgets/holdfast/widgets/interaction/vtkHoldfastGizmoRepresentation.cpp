@@ -137,6 +137,21 @@ void vtkHoldfastGizmoRepresentation::SetMotions(GizmoMotions motions)
   this->Modified();
 }
 
+bool vtkHoldfastGizmoRepresentation::Offers(GizmoPart part) const
+{
+  switch (this->Motions) {
+    case GizmoMotions::Moves:
+      return part != GizmoPart::None && !isRotation(part);
+    case GizmoMotions::MovesAndTurns:
+      return part != GizmoPart::None;
+    case GizmoMotions::MovesAlongZ:
+      return part == GizmoPart::ArrowZ;
+    case GizmoMotions::MovesAcrossZ:
+      return part == GizmoPart::ArrowX || part == GizmoPart::ArrowY || part == GizmoPart::SquareZ;
+  }
+  return false;
+}
+
 GizmoDrag vtkHoldfastGizmoRepresentation::NewDrag(const DisplayPoint& cursor)
 {
   const DisplayTransform view(*this->Renderer);

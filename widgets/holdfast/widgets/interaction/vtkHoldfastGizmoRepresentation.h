@@ -22,8 +22,14 @@ namespace holdfast {
 /// The default radius of the outer ring, in pixels of a display of ordinary resolution.
 inline constexpr double kGizmoPixels = 115;
 
-/// The motions that the gizmo offers. Points need only moves: they have nothing to rotate.
-enum class GizmoMotions { Moves, MovesAndTurns };
+/// The motions that the gizmo offers. Points need only moves: they have nothing to rotate. A plane needs only a move
+/// along its normal, and a line those across itself.
+enum class GizmoMotions {
+  Moves,
+  MovesAndTurns,
+  MovesAlongZ,  ///< the arrow of the third axis
+  MovesAcrossZ  ///< the arrows of the others, and the square across the third axis
+};
 
 }  // namespace holdfast
 
@@ -50,11 +56,7 @@ class vtkHoldfastGizmoRepresentation : public vtkWidgetRepresentation {
   void SetMotions(holdfast::GizmoMotions motions);
   [[nodiscard]] holdfast::GizmoMotions GetMotions() const { return this->Motions; }
   /// Tells whether these motions include the part. It returns false for `None`.
-  [[nodiscard]] bool Offers(holdfast::GizmoPart part) const
-  {
-    return part != holdfast::GizmoPart::None &&
-           (this->Motions == holdfast::GizmoMotions::MovesAndTurns || !holdfast::isRotation(part));
-  }
+  [[nodiscard]] bool Offers(holdfast::GizmoPart part) const;
 
   /// Makes the gizmo take its axes from the view: right, up and towards the eye. They do not change during a drag. Off
   /// by default.

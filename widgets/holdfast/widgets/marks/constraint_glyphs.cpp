@@ -7,11 +7,10 @@
 #include <utility>
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
-
-#include <holdfast/widgets/mesh/actors.h>
 
 namespace holdfast {
 namespace {
@@ -40,6 +39,8 @@ constexpr std::array<LayerLook, LayerCount> kLooks{{{SpriteShape::Ball, 0.45},
                                                     {SpriteShape::Ball, 1, SpriteDepth::Behind}}};
 constexpr double kCrowdedDotSize = 0.34;
 constexpr double kLineSize = 0.22;
+
+constexpr double kFaceOpacity = 0.10;
 
 // More dots than this are drawn smaller.
 constexpr std::ptrdiff_t kCrowd = 500;
@@ -95,10 +96,37 @@ void drawLines(vtkPolyData& data, const std::vector<GlyphLine>& lines)
   data.GetPointData()->SetScalars(colors);
 }
 
+/// The four corners of a plane, in order.
+struct GuideFace {
+  std::array<Vector3, 4> corners;
+  Color color;
+};
+
+void drawFaces(vtkPolyData& data, const std::vector<GuideFace>& faces)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkUnsignedCharArray> colors;
+  vtkNew<vtkCellArray> cells;
+  points->SetDataTypeToDouble();
+  colors->SetNumberOfComponents(3);
+  for (const GuideFace& face : faces) {
+    std::array<vtkIdType, 4> corners{};
+    std::ranges::transform(face.corners, corners.begin(),
+                           [&](const Vector3& place) { return points->InsertNextPoint(place.data()); });
+    cells->InsertNextCell(4, corners.data());
+    colors->InsertNextTuple3(std::round(255 * face.color.red), std::round(255 * face.color.green),
+                             std::round(255 * face.color.blue));
+  }
+  data.SetPoints(points);
+  data.SetPolys(cells);
+  data.GetCellData()->SetScalars(colors);
+}
+
 struct GlyphSet {
   std::optional<SectionPlane> section;
   std::array<std::vector<Sprite>, LayerCount> layers;
   std::vector<GlyphLine> lines;
+  std::vector<GuideFace> faces;
 
   [[nodiscard]] bool isShown(const Vector3& place) const { return !section || isKept(*section, place); }
 
@@ -117,6 +145,13 @@ struct GlyphSet {
       layers[Dots].push_back({mark.target, color});
       lines.push_back({mark.place, mark.target, color});
     }
+  }
+
+  void add(const ConstraintGuide& guide, const Color& color)
+  {
+    if (!isShown(guide.center)) return;
+    for (const auto& [from, to] : outlineOf(guide)) lines.push_back({from, to, color});
+    if (guide.shape == GuideShape::Plane) faces.push_back({cornersOf(guide), color});
   }
 
   void highlight(const ConstraintMark& mark)
@@ -146,6 +181,9 @@ ConstraintGlyphs::ConstraintGlyphs() : marks_(std::make_shared<const MarkSet>())
   for (const LayerLook& look : kLooks) layers_.push_back(std::make_unique<PointSprites>(look.shape, look.depth));
   showData(*lines_, *lineData_);
   lines_->GetProperty()->LightingOff();
+  showData(*faces_, *faceData_);
+  faces_->GetProperty()->LightingOff();
+  faces_->GetProperty()->SetOpacity(kFaceOpacity);
   update();
 }
 
@@ -171,10 +209,15 @@ void ConstraintGlyphs::update()
     glyphs.add(mark);
     if (std::binary_search(highlighted_.begin(), highlighted_.end(), mark.constraint)) glyphs.highlight(mark);
   }
+  for (const ConstraintGuide& guide : marks_->guides)
+    glyphs.add(guide,
+               std::ranges::binary_search(highlighted_, guide.constraint) ? kSelectedColor : glyphColor(guide.status));
   if (hidden_ == HiddenMarks::Invisible) glyphs.layers[HiddenPoints].clear();
   for (std::size_t layer = 0; layer < LayerCount; ++layer) layers_[layer]->set(glyphs.layers[layer]);
   drawLines(*lineData_, glyphs.lines);
   lines_->SetVisibility(!glyphs.lines.empty());
+  drawFaces(*faceData_, glyphs.faces);
+  faces_->SetVisibility(!glyphs.faces.empty());
   // Marks that are cut away count too: sizes do not change while a plane moves.
   isCrowded_ = std::count_if(marks_->drawn.begin(), marks_->drawn.end(),
                              [&](Index k) { return layerOf(marks_->marks[k]) == Dots; }) > kCrowd;
@@ -211,6 +254,7 @@ std::vector<vtkActor*> ConstraintGlyphs::actors() const
   std::vector<vtkActor*> actors;
   for (const auto& layer : layers_) actors.push_back(&layer->actor());
   actors.push_back(lines_);
+  actors.push_back(faces_);
   return actors;
 }
 

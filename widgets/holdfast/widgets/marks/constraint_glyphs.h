@@ -14,6 +14,7 @@
 #include <holdfast/widgets/color/color_map.h>
 #include <holdfast/widgets/marks/mark_set.h>
 #include <holdfast/widgets/marks/point_sprites.h>
+#include <holdfast/widgets/mesh/actors.h>
 #include <holdfast/widgets/mesh/section_plane.h>
 
 namespace holdfast {
@@ -42,6 +43,7 @@ enum class HiddenMarks { Invisible, Faint };
 /// - Points on edges are beads on a bar.
 /// - Points in faces are triangles.
 /// - The vertices of regions and the targets that are not reached are dots.
+/// - Guides (`ConstraintGuide`) are lines, and planes have a faint face as well.
 ///
 ///     ConstraintGlyphs glyphs;
 ///     glyphs.setMarks(markSet(model, constraintMarks(model, result), nullptr));
@@ -83,6 +85,8 @@ class ConstraintGlyphs {
   std::vector<std::unique_ptr<PointSprites>> layers_;
   vtkNew<vtkPolyData> lineData_;
   vtkNew<vtkActor> lines_;
+  vtkNew<vtkPolyData> faceData_;
+  vtkNew<BlendedActor> faces_;
 };
 
 }  // namespace holdfast

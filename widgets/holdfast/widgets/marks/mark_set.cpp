@@ -293,17 +293,19 @@ std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks, const st
 }
 
 std::shared_ptr<const MarkSet> markSet(const Model& model, std::vector<ConstraintMark> marks,
-                                       const std::shared_ptr<const MarkSet>& before)
+                                       const std::shared_ptr<const MarkSet>& before,
+                                       std::vector<ConstraintGuide> guides)
 {
-  if (marks.empty()) return std::make_shared<const MarkSet>();
+  if (marks.empty() && guides.empty()) return std::make_shared<const MarkSet>();
   if (before && areDrawnAlike(marks, before->marks))
-    return std::make_shared<const MarkSet>(MarkSet{std::move(marks), before->drawn, before->looks});
+    return std::make_shared<const MarkSet>(MarkSet{std::move(marks), before->drawn, before->looks, std::move(guides)});
   auto looks = std::make_shared<const RegionLooks>(regionLooks(model, marks));
   std::vector<char> isCovered(looks->size(), 0);
   for (const auto& [a, b, c] : model.solverMesh.triangles)
     if (((*looks)[a] & (*looks)[b] & (*looks)[c]) != 0) isCovered[a] = isCovered[b] = isCovered[c] = 1;
   std::vector<Index> drawn = drawnMarks(marks, isCovered);
-  return std::make_shared<const MarkSet>(MarkSet{std::move(marks), std::move(drawn), std::move(looks)});
+  return std::make_shared<const MarkSet>(
+      MarkSet{std::move(marks), std::move(drawn), std::move(looks), std::move(guides)});
 }
 
 }  // namespace holdfast

@@ -10,6 +10,7 @@
 #include <holdfast/constraints/known_places.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/surface/surface_point.h>
+#include <holdfast/widgets/marks/constraint_guides.h>
 
 namespace holdfast {
 
@@ -87,16 +88,18 @@ struct MarkSet {
   std::vector<ConstraintMark> marks;
   std::vector<Index> drawn;                  ///< their `drawnMarks`, beside the tints of regions
   std::shared_ptr<const RegionLooks> looks;  ///< their `regionLooks`; null where there are no marks
+  std::vector<ConstraintGuide> guides;       ///< what is drawn beside them
 };
 
 /// Makes a set of `marks`. `before` is the set that was shown before, or null at first. Its choice of dots and its
 /// looks stay where places at rest and statuses are the same.
 ///
-///     auto marks = markSet(model, constraintMarks(model, result), nullptr);
+///     auto marks = markSet(model, constraintMarks(model, result), nullptr, constraintGuides(model, result));
 ///     scene.showMarks(marks);  // SceneContents
-///     marks = markSet(model, constraintMarks(model, nextResult), marks);
+///     marks = markSet(model, constraintMarks(model, nextResult), marks, constraintGuides(model, nextResult));
 ///     scene.showMarks(marks);
 [[nodiscard]] std::shared_ptr<const MarkSet> markSet(const Model& model, std::vector<ConstraintMark> marks,
-                                                     const std::shared_ptr<const MarkSet>& before);
+                                                     const std::shared_ptr<const MarkSet>& before,
+                                                     std::vector<ConstraintGuide> guides = {});
 
 }  // namespace holdfast

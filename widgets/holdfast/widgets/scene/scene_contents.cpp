@@ -96,7 +96,8 @@ std::vector<FaceTint*> SceneContents::tints()
 void SceneContents::show(const DeformResult& deformation)
 {
   showShape(deformation);
-  setMarks(constraintMarks(mesh_.model(), deformation));
+  const Model& model = mesh_.model();
+  showMarks(markSet(model, constraintMarks(model, deformation), glyphs_.marks(), constraintGuides(model, deformation)));
 }
 
 void SceneContents::showShape(const DeformResult& deformation)
@@ -173,7 +174,7 @@ std::shared_ptr<const MarkSet> SceneContents::shownMarks() const
   std::vector<ConstraintMark> shown = allMarks_->marks;
   std::erase_if(
       shown, [this](const ConstraintMark& mark) { return mark.nearest >= 0 && isUnknownHidden_[mark.nearest] != 0; });
-  return markSet(mesh_.model(), std::move(shown), glyphs_.marks());
+  return markSet(mesh_.model(), std::move(shown), glyphs_.marks(), allMarks_->guides);
 }
 
 void SceneContents::setCut(const std::vector<std::array<Vector3, 2>>& segments)

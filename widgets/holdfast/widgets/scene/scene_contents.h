@@ -64,7 +64,7 @@ class SceneContents {
   /// Colours the mesh by values, one for each vertex of the file. Without them it has one colour. O(N).
   void color(const std::optional<Coloring>& coloring);
 
-  /// Shows these marks of constraints.
+  /// Shows these marks of constraints, without guides.
   void setMarks(std::vector<ConstraintMark> marks)
   {
     showMarks(markSet(mesh_.model(), std::move(marks), glyphs_.marks()));

@@ -116,7 +116,8 @@ void Editor::start(LoadedMesh mesh, std::unique_ptr<History> history)
                    marks = std::shared_ptr<const MarkSet>()](const LiveEvent& event) mutable -> Solved {
     if (event.deformation == nullptr) return {};
     static_cast<void>(event.deformation->report.constraints.all());
-    marks = markSet(*model, constraintMarks(*model, event.state->list, *event.deformation, places), marks);
+    marks = markSet(*model, constraintMarks(*model, event.state->list, *event.deformation, places), marks,
+                    constraintGuides(*model, *event.deformation));
     auto surface =
         std::make_shared<const VisibleSurface>(atRest->movedTo({event.deformation, &event.deformation->positions}));
     return {event.state,

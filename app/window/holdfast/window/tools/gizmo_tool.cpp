@@ -63,18 +63,28 @@ void GizmoTool::placeGizmo()
     }
   if (placing_ && placing_->isEmpty()) placing_.reset();
   if (!placing_) return widget().Off();
-  gizmo_.SetMotions(placing_->canRotate() ? GizmoMotions::MovesAndTurns : GizmoMotions::Moves);
+  gizmo_.SetMotions(motions());
   gizmo_.SetUnits(editor().list().units);
   placeFrame();
   widget().On();
   widget().Render();
 }
 
+GizmoMotions GizmoTool::motions() const
+{
+  if (placing_->canRotate()) return GizmoMotions::MovesAndTurns;
+  const RowDirections directions = placing_->directions();
+  if (directions.areAll()) return GizmoMotions::Moves;
+  return directions.areAlongAxis() ? GizmoMotions::MovesAlongZ : GizmoMotions::MovesAcrossZ;
+}
+
 void GizmoTool::placeFrame()
 {
-  gizmo_.SetAlignToView(axes_ == GizmoAxes::View);
+  // A plane or a line moves along axes of its own.
+  const GizmoAxes axes = placing_->directions().areAll() ? axes_ : GizmoAxes::Own;
+  gizmo_.SetAlignToView(axes == GizmoAxes::View);
   gizmo_.SetFrame(placing_->center(),
-                  axes_ == GizmoAxes::Own ? placing_->axes(editor().positions()) : Eigen::Matrix3d::Identity());
+                  axes == GizmoAxes::Own ? placing_->axes(editor().positions()) : Eigen::Matrix3d::Identity());
 }
 
 void GizmoTool::followSurface()

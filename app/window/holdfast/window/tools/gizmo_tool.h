@@ -70,6 +70,7 @@ class GizmoTool : public ToolOf<vtkHoldfastGizmoWidget> {
 
  private:
   void placeGizmo();
+  [[nodiscard]] GizmoMotions motions() const;
   void placeFrame();
   void moveLabel();
   void highlight();

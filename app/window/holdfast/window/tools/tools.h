@@ -64,4 +64,8 @@ class ToolOf : public Tool {
 /// point to is cut away, and cannot be picked.
 QObject* newSectionTool(Editor& editor, Viewport& viewport, QAction& isOn, QObject* parent);
 
+/// Makes a mirror tool, which works beside any tool. While one mirror alone is selected it shows its plane as VTK's
+/// plane, which the mouse moves and turns. The list is solved when the plane is let go.
+QObject* newMirrorTool(Editor& editor, Viewport& viewport, QObject* parent);
+
 }  // namespace holdfast

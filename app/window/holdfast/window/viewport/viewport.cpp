@@ -254,8 +254,8 @@ void Viewport::showConstraints()
 {
   if (!contents_) return;
   if (const auto& marks = editor_.marks())
-    contents_->showMarks(shownShare_ == 1 ? marks
-                                          : markSet(*editor_.model(), marksAt(marks->marks, shownShare_), marks));
+    contents_->showMarks(
+        shownShare_ == 1 ? marks : markSet(*editor_.model(), marksAt(marks->marks, shownShare_), marks, marks->guides));
   arrange(*contents_, display_);
   overlay_->followLegend();
   overlay_->followState();

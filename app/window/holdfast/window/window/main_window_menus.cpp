@@ -395,6 +395,7 @@ void MainWindow::makeViewMenu()
                  *addSwitch(menu, {"sectionPlane", tr("&Section plane"), "Shift+S",
                                    tr("Cut the picture open; the mesh stays whole"), Needs::Document}),
                  this);
+  newMirrorTool(editor_, *viewport_, this);
 
   addAction(menu, {"removeMeasurements", tr("Remove all &measurements"), "", tr("Remove all probes and rulers"),
                    Needs::Measurements, [this] { editor_.setMeasurements(tr("remove all measurements"), {}); }});
