@@ -16,6 +16,7 @@ void randomPoints(benchmark::State& state, const Mesh& mesh);
 void verdicts(benchmark::State& state, const Mesh& mesh);
 void resultChecks(benchmark::State& state, const Mesh& mesh);
 void freedom(benchmark::State& state, const Mesh& mesh);
+void manyBoxes(benchmark::State& state, const Mesh& mesh);
 void heldOutNoise(benchmark::State& state, const Mesh& mesh);
 void oneCoreAgainstAll(benchmark::State& state, const Mesh& mesh);
 void batchProgram(benchmark::State& state, const Mesh& mesh);

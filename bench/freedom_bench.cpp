@@ -25,7 +25,7 @@ namespace {
 template <class Free>
 ConstraintList withFreePoints(const Mesh& mesh, std::size_t count, const Free& free)
 {
-  ConstraintList list = isolatedFacePoints(mesh, std::min<Index>(static_cast<Index>(count), mesh.faces.size() / 50));
+  ConstraintList list = isolatedFacePoints(mesh, std::min<Index>(static_cast<Index>(count), mesh.faces.size() / 30));
   Random random(7);
   for (std::size_t k = kEnds; k < list.constraints.size(); ++k)
     free(std::get<PointConstraint>(list.constraints[k].what), random);
@@ -102,6 +102,32 @@ void freedom(benchmark::State& state, const Mesh& mesh)
     samples.addRatios("first : " + base, {row, "first"}, {base, "first"});
     samples.addRatios("frame : " + base, {row, "frame"}, {base, "frame"});
   }
+  samples.report(state);
+}
+
+void manyBoxes(benchmark::State& state, const Mesh& mesh)
+{
+  constexpr std::size_t kBoxes = 10'000;
+  const double diagonal = boundingBoxDiagonal(mesh.positions);
+  const ConstraintList boxes = withFreePoints(mesh, kBoxes, [&](PointConstraint& point, Random&) {
+    point.within = WithinBox{Vector3::Constant(1e-3 * diagonal)};
+  });
+  const ConstraintList exact = withFreePoints(mesh, kBoxes, [](PointConstraint&, Random&) {});
+  const Model model = makeModel(mesh);
+  Samples samples;
+  for ([[maybe_unused]] auto turn : state)
+    for (const auto& [row, list] :
+         {std::pair<std::string, const ConstraintList&>("exact", exact), {"in boxes", boxes}}) {
+      int factorizations = 0;
+      StoppableProgress progress([] { return false; },
+                                 [&](std::string_view step) {
+                                   if (step.find(": factorisation ") != std::string_view::npos) ++factorizations;
+                                 });
+      DeformResult result;
+      samples.add(row, "seconds", secondsOf([&] { result = deform(model, list, "list", {}, progress); }));
+      samples.add(row, "factorisations of an axis", factorizations);
+      samples.add(row, "residual", result.report.solve.maxResidualRelative);
+    }
   samples.report(state);
 }
 

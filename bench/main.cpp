@@ -21,6 +21,7 @@ try {
                         {"verdicts", verdicts, {"438"}},
                         {"checks of results", resultChecks, {"35", "173", "438"}},
                         {"freedom", freedom, {"173"}},
+                        {"many boxes", manyBoxes, {"173"}},
                         {"held-out noise", heldOutNoise, {"20"}},
                         {"one core against all", oneCoreAgainstAll, {"35", "173"}},
                         {"accuracy", accuracy, {"35", "173"}}},

@@ -36,7 +36,13 @@ ConstraintList ends(const Mesh& mesh)
 
 Constraint point(Index number, SurfaceLocation at, const Vector3& shift)
 {
-  return {"P" + std::to_string(number), true, PointConstraint{std::move(at), Move{shift}}};
+  PointConstraint point;
+  point.at = std::move(at);
+  point.to = Move{shift};
+  Constraint result;
+  result.name = "P" + std::to_string(number);
+  result.what = std::move(point);
+  return result;
 }
 
 /// Tells whether each vertex lies at an end, or as near to one as no point may.

@@ -44,6 +44,11 @@ draw three_handles plate_unsymmetric.off plate_unsymmetric.three_handles angle 7
 draw rigid_eyes head.ply head.rigid_eyes angle 720x640
 draw conflicts plate_unsymmetric.off plate_unsymmetric.conflict displacement 720x640
 draw forces bracket.obj bracket force 720x640
+draw kinds_slide bracket.obj bracket.slide displacement 900x640
+draw kinds_mirror bar.obj bar.mirror displacement 720x640
+draw kinds_scan bracket.obj bracket.scan displacement 720x640
+draw kinds_within plate_unsymmetric.off plate_unsymmetric.within displacement 900x560
+draw kinds_joined two_parts.obj two_parts.joined displacement 720x560
 draw_window
 tests/support/with_display.sh build/release/examples/widget_pictures data docs/images
 draw_example

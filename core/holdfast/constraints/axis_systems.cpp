@@ -101,7 +101,35 @@ Eigen::Matrix3d toAxes(const std::bitset<3>& axes, Eigen::Matrix3d frame)
   return frame;
 }
 
+/// Tells whether a tolerance asks something of each coordinate by itself.
+struct AsksByCoordinates {
+  const RowDirections& directions;
+
+  bool operator()(const Exactly& /*exactly*/) const { return false; }
+  bool operator()(const WithinBall& /*ball*/) const { return isAlongCoordinate(); }
+  bool operator()(const WithinBox& /*box*/) const { return true; }
+  bool operator()(const WithinSlab& slab) const
+  {
+    return slab.normal ? isCoordinateAxis(slab.normal->stableNormalized()) : isAlongCoordinate();
+  }
+  bool operator()(const Weighted& /*weighted*/) const
+  {
+    return directions.areAll() || isCoordinateAxis(directions.axis());
+  }
+
+ private:
+  [[nodiscard]] bool isAlongCoordinate() const
+  {
+    return !directions.areAll() && directions.areAlongAxis() && isCoordinateAxis(directions.axis());
+  }
+};
+
 }  // namespace
+
+bool isByCoordinates(const TolerantRow& tolerant, const RowDirections& directions)
+{
+  return tolerant.surface == nullptr && std::visit(AsksByCoordinates{directions}, tolerant.within);
+}
 
 std::vector<Index> rowsAtOdds(const std::vector<ConstraintRow>& rows)
 {

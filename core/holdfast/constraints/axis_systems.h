@@ -34,6 +34,9 @@ struct AxisSystem {
 /// directions there is one system: all rows, as they are, along all axes of the identity. O(terms).
 [[nodiscard]] std::vector<AxisSystem> axisSystems(const ConstraintSystem& system, const Eigen::Matrix3d& frame);
 
+/// Tells whether a tolerance, and the `directions` of its row, ask something of each coordinate by itself.
+[[nodiscard]] bool isByCoordinates(const TolerantRow& tolerant, const RowDirections& directions);
+
 /// Returns the part of `values` (n x 3, model coordinates) along the axes of one system, by coordinates of the frame.
 /// The other columns are 0.
 [[nodiscard]] Columns3 alongAxes(Columns3 values, const std::bitset<3>& axes, const Eigen::Matrix3d& frame);

@@ -63,6 +63,7 @@ class SystemBuilder {
     mirrorRotations();
     rotateRegionsAsTheirFirst();
     chooseRowsAtOdds();
+    requireFewTolerant();
     return std::move(system_);
   }
 
@@ -209,11 +210,9 @@ class SystemBuilder {
       row.directions = RowDirections::along(surface->footOf(rest).normal);
     }
     row.isChosen = surface != nullptr || !std::holds_alternative<Exactly>(within);
-    if (row.isChosen) {
-      requireFewTolerant();
+    if (row.isChosen)
       system_.tolerant.push_back(
           {static_cast<Index>(system_.rows.size()), within, row.target, row.shift, std::move(surface)});
-    }
     system_.rows.push_back(std::move(row));
   }
 
@@ -228,10 +227,19 @@ class SystemBuilder {
 
   void requireFewTolerant() const
   {
-    if (system_.tolerant.size() < kMostTolerantPoints) return;
-    throw InputError(key(""), fmt::format("{} points up to it have tolerances or weights or lie on surfaces, and more "
-                                          "are not solved together; make some exact, select fewer, or disable some",
-                                          kMostTolerantPoints));
+    if (system_.tolerant.size() <= kMostTolerantPoints) return;
+    const bool isFrameOfCoordinates = commonFrame(system_.rows).value_or(Eigen::Matrix3d::Zero()).isIdentity(0);
+    const auto together = std::ranges::find_if(system_.tolerant, [&](const TolerantRow& tolerant) {
+      return !isFrameOfCoordinates || !isByCoordinates(tolerant, system_.rows[tolerant.row].directions);
+    });
+    if (together == system_.tolerant.end()) return;
+    const Index constraint = system_.rows[together->row].constraint;
+    throw InputError(
+        {source_, 0, fmt::format("constraints[{}]", constraint)},
+        fmt::format("{} points have tolerances or weights or lie on surfaces. More than {} are solved together only "
+                    "where all have boxes, weights, or bounds along x, y or z, and {} has none of these; make some "
+                    "exact, select fewer, or disable some",
+                    system_.tolerant.size(), kMostTolerantPoints, inQuotes(list_.constraints[constraint].name)));
   }
 
   void add(const RigidConstraint& /*rigid*/)

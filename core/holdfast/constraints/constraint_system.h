@@ -82,7 +82,8 @@ struct ConstraintNote {
   std::string message;   ///< one sentence for people, without the constraint's name
 };
 
-/// More rows whose targets are chosen are refused: what they ask of one another is a dense matrix.
+/// More rows whose targets are chosen are refused, because what they ask of one another is a dense matrix, unless all
+/// of them are chosen along each coordinate by itself.
 inline constexpr std::size_t kMostTolerantPoints = 2000;
 
 /// A handle gets a note if it states no rotation and moves by more than this share of its distance from what is fixed.

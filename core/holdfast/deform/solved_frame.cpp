@@ -107,6 +107,7 @@ class FrameSolver {
     progress.step("solving");
     const Stopwatch solution;
     const SolvedDisplacement displacement = displacementBy(solvers, progress);
+    if (!failure_.empty()) return failureMessage(problem_.options, failure_);
     for (const ConstraintNote& note : chosen_.notes) addFindings({noteFinding(note, *details_->labels)});
     report().unknowns = solvers.unknowns();
     report().factorNonzeros = solvers.factorNonzeros();
@@ -124,14 +125,16 @@ class FrameSolver {
 
   SolvedDisplacement displacementBy(const AxisSolvers& solvers, Progress& progress)
   {
-    if (!details_->system.tolerant.empty() && !areOfSameRows(by_.stiffness, details_->system))
+    if (areSeparate(details_->system))
+      prepareSeparate(progress);
+    else if (!details_->system.tolerant.empty() && !areOfSameRows(by_.stiffness, details_->system))
       by_.stiffness = stiffnessOf(details_->system, solvers, *problem_.operators.A, by_.actedOn.get(), progress);
     if (isFound()) return findBy(solvers, progress);
     SolvedDisplacement stated = statedBy(solvers);
     if (details_->system.tolerant.empty()) return stated;
     auto chosen = std::make_shared<Displacement>(*stated.displacement);
     const bool wasReconciled = isReconciled(details_->diagnosis.targets);
-    const bool hasFollowed = chooseTargetsAt(details_->system, *chosen, *stated.f);
+    const bool hasFollowed = chooseTargetsAt(details_->system, solvers, *chosen, *stated.f, progress);
     diagnoseRows();
     details_->diagnosis.reasons = chosen_.contradictions;
     const std::vector<RowTargets>& targets = details_->diagnosis.targets;
@@ -140,6 +143,15 @@ class FrameSolver {
     else
       *chosen = solvers.solve(targets, *stated.f);
     return {std::move(chosen), std::move(stated.f)};
+  }
+
+  void prepareSeparate(Progress& progress)
+  {
+    std::vector<Index> rows;
+    for (const TolerantRow& tolerant : details_->system.tolerant) rows.push_back(tolerant.row);
+    if (by_.separate.rows == rows) return;
+    progress.step(fmt::format("preparing the places of {} points", rows.size()));
+    by_.separate = separatePlaces(details_->system, *by_.eliminated, problem_.operators.A, by_.ranks);
   }
 
   /// Solves for the targets that rows have.
@@ -153,13 +165,23 @@ class FrameSolver {
 
   /// Chooses the targets of tolerant points. `displacement` is the solution for those that `system` has. Takes it to
   /// the chosen ones and returns true, where that costs no solution.
-  bool chooseTargetsAt(ConstraintSystem& system, Displacement& displacement, const Columns3& f)
+  bool chooseTargetsAt(ConstraintSystem& system, const AxisSolvers& solvers, Displacement& displacement,
+                       const Columns3& f, Progress& progress)
   {
     const double scale = isFound() ? 1 : rowsInDiameters(problem_.options.weights, diameterInDiagonals(mesh()));
-    const Columns3 forces = forcesAtUnknowns(*problem_.operators.A, by_.actedOn.get(), displacement.u, f, mesh().diagonal);
+    const auto pullsAt = [&](const Columns3& u) -> Columns3 {
+      return by_.eliminated->multipliers(
+          forcesAtUnknowns(*problem_.operators.A, by_.actedOn.get(), u, f, mesh().diagonal));
+    };
+    if (areSeparate(system)) {
+      if (by_.separate.failure.empty())
+        failure_ = chooseSeparately(system, {solvers, by_.separate, mesh().diagonal, scale, f, pullsAt}, progress);
+      else
+        failure_ = by_.separate.failure;
+      return false;
+    }
     const Columns3 before = tolerantShifts(system);
-    chosen_ = chooseTargets(system, {*by_.eliminated, by_.stiffness, mesh().diagonal, scale},
-                            by_.eliminated->multipliers(forces));
+    chosen_ = chooseTargets(system, {*by_.eliminated, by_.stiffness, mesh().diagonal, scale}, pullsAt(displacement.u));
     return followTargets(system, before, *by_.eliminated, by_.stiffness, displacement);
   }
 
@@ -200,8 +222,8 @@ class FrameSolver {
     if (problem_.before != nullptr) options.mostIterations = kIterationsOfFrame;
     FoundProblem problem{*problem_.operators.energy, mesh(), solvers, {}};
     if (!details_->system.tolerant.empty())
-      problem.chooseTargets = [this](ConstraintSystem& system, Displacement& displacement, const Columns3& f) {
-        return chooseTargetsAt(system, displacement, f);
+      problem.chooseTargets = [&](ConstraintSystem& system, Displacement& displacement, const Columns3& f) {
+        return chooseTargetsAt(system, solvers, displacement, f, progress);
       };
     FoundShape shape = findShape(
         problem, std::move(details_->system),
@@ -338,6 +360,7 @@ class FrameSolver {
   DeformResult result_;
   double neededDistance_ = 0;
   ChosenPlaces chosen_;
+  std::string failure_;  // why there are no places
 };
 
 }  // namespace

@@ -61,7 +61,8 @@ class OffsetChooser {
     const double work = workOf(energy);
     markBounds(minimise(energy, work, std::nullopt), work, result.isAtBound);
     result.offsets = offsets(y_);
-    for (const OffsetBound& bound : reached_) result.offsets.row(bound.point) = bound.onto(result.offsets.row(bound.point));
+    for (const OffsetBound& bound : reached_)
+      result.offsets.row(bound.point) = bound.onto(result.offsets.row(bound.point));
     for (std::size_t i = 0; i < allowed_.size(); ++i) bringWithin(result, static_cast<Index>(i));
     if (fixed_) result.contradicted = fixed_->contradicted();
     return result;
@@ -112,13 +113,10 @@ class OffsetChooser {
   {
     for (std::size_t i = 0; i < allowed_.size(); ++i)
       for (const AllowedSlab& slab : allowed_[i].slabs) {
-        if (slab.low <= 0 && slab.high >= 0) continue;
-        const double middle = std::isinf(slab.low)    ? slab.high - std::abs(slab.high)
-                              : std::isinf(slab.high) ? slab.low + std::abs(slab.low)
-                                                      : (slab.low + slab.high) / 2;
+        const double within = withinBounds(slab.low, slab.high);
         for (std::size_t k = 0; k < 3; ++k)
           for (SparseRows::InnerIterator entry(axes_[k].offsets, static_cast<Index>(i)); entry; ++entry)
-            if (entry.value() == 1) y_[first_[k] + entry.col()] += middle * slab.normal[static_cast<Index>(k)];
+            if (entry.value() == 1) y_[first_[k] + entry.col()] += within * slab.normal[static_cast<Index>(k)];
       }
     if (fixed_) y_ = fixed_->nearest(y_);
   }
@@ -147,9 +145,7 @@ class OffsetChooser {
     std::vector<OffsetBound> bounds;
     if (allowed.radius > 0) bounds.push_back({point, true, allowed.radius, Vector3::Zero(), 0, allowed.directions});
     for (const AllowedSlab& slab : allowed.slabs) {
-      const double width = slab.high - slab.low;
-      const double size =
-          std::isfinite(width) ? width : std::max(1e-3, std::abs(std::isinf(slab.low) ? slab.high : slab.low));
+      const double size = roomBetween(slab.low, slab.high);
       if (std::isfinite(slab.high)) bounds.push_back({point, false, size, slab.normal, slab.high});
       if (std::isfinite(slab.low)) bounds.push_back({point, false, size, -slab.normal, -slab.low});
     }
@@ -172,7 +168,7 @@ class OffsetChooser {
     return true;
   }
 
-  /// g(r(y)), and a little of |y|^2, so that there is one minimum.
+  /// The pull of a bound, and a little of |y|^2, so that there is one minimum.
   void towards(const OffsetBound& bound)
   {
     std::array<Eigen::MatrixXd, 3> little;
@@ -182,8 +178,8 @@ class OffsetChooser {
     }
     const auto ofAxis = [&](std::size_t k) { return &little[isShared() ? 0 : k]; };
     OffsetEnergy energy{{ofAxis(0), ofAxis(1), ofAxis(2)}, noBlocks(), Eigen::VectorXd::Zero(y_.size())};
-    energy.blocks[bound.point] = bound.curvature();
-    addAt(energy.q, bound.point, bound.gradient(constantOf(bound.point)));
+    energy.blocks[bound.point] = bound.curvatureOfPull();
+    addAt(energy.q, bound.point, bound.gradientOfPull(constantOf(bound.point)));
     static_cast<void>(minimise(energy, 1, bound));
   }
 
@@ -199,8 +195,8 @@ class OffsetChooser {
 
   [[nodiscard]] OffsetEnergy energyOf(const std::vector<char>& isOutOfReach) const
   {
-    OffsetEnergy result{{axes_[0].stiffness, axes_[1].stiffness, axes_[2].stiffness}, noBlocks(),
-                        Eigen::VectorXd(y_.size())};
+    OffsetEnergy result{
+        {axes_[0].stiffness, axes_[1].stiffness, axes_[2].stiffness}, noBlocks(), Eigen::VectorXd(y_.size())};
     for (std::size_t k = 0; k < 3; ++k) result.q.segment(first_[k], first_[k + 1] - first_[k]) = axes_[k].pull;
     for (std::size_t i = 0; i < allowed_.size(); ++i) {
       const auto& [weight, damping] = std::tie(allowed_[i].weight, allowed_[i].damping);
@@ -266,7 +262,8 @@ class OffsetChooser {
            axes_[0].offsets.rows() == axes_[0].offsets.cols();
   }
 
-  /// The step that solves H step = -gradient in the free directions, where H has the stiffness of `energy` and `blocks`.
+  /// The step that solves H step = -gradient in the free directions, where H has the stiffness of `energy` and
+  /// `blocks`.
   [[nodiscard]] Eigen::VectorXd stepOf(const OffsetEnergy& energy, const std::vector<Eigen::Matrix3d>& blocks,
                                        const Eigen::VectorXd& gradient) const
   {

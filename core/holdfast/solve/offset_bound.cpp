@@ -1,5 +1,6 @@
 #include "holdfast/solve/offset_bound.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -17,6 +18,22 @@ Vector3 withHeld(const RowDirections& directions, const Vector3& r, const Vector
   return r + (held - directions.held(r));
 }
 
+double roomBetween(double low, double high)
+{
+  // Of bounds in diagonals of a mesh.
+  constexpr double kLeast = 1e-3;
+  const double width = high - low;
+  return std::isfinite(width) ? width : std::max(kLeast, std::abs(std::isfinite(low) ? low : high));
+}
+
+double withinBounds(double low, double high)
+{
+  if (low < 0 && high > 0) return 0;
+  if (std::isinf(low)) return high - roomBetween(low, high);
+  if (std::isinf(high)) return low + roomBetween(low, high);
+  return (low + high) / 2;
+}
+
 double OffsetBound::value(const Vector3& r) const
 {
   return isBall ? ((directions.held(r) / size).squaredNorm() - 1) / 2 : (normal.dot(r) - most) / size;
@@ -31,6 +48,17 @@ Eigen::Matrix3d OffsetBound::curvature() const
 {
   if (!isBall) return Eigen::Matrix3d::Zero();
   return matrixOf(directions) / size / size;
+}
+
+Eigen::Matrix3d OffsetBound::curvatureOfPull() const
+{
+  return isBall ? curvature() : Eigen::Matrix3d(gradient(normal) * gradient(normal).transpose());
+}
+
+/// (g + 1)^2 / 2 of half a space, whose g has no end.
+Vector3 OffsetBound::gradientOfPull(const Vector3& r) const
+{
+  return isBall ? gradient(r) : Vector3((value(r) + 1) * gradient(r));
 }
 
 Vector3 OffsetBound::onto(const Vector3& r) const

@@ -12,6 +12,13 @@ namespace holdfast {
 /// Returns `r` with `held` in place of the part of it that the directions hold.
 [[nodiscard]] Vector3 withHeld(const RowDirections& directions, const Vector3& r, const Vector3& held);
 
+/// Returns a number with room to both bounds, 0 where it has. `low` is less than `high`, and one of them may be
+/// infinite.
+[[nodiscard]] double withinBounds(double low, double high);
+
+/// Returns the size of the room between these bounds. Bounds to one side have one as well.
+[[nodiscard]] double roomBetween(double low, double high);
+
 /// A bound says g(r) <= 0 of the offset r of a point. For a ball g is (|r / size|^2 - 1) / 2, with the part of r that
 /// its directions hold. For half a space it is (normal . r - most) / size.
 struct OffsetBound {
@@ -26,6 +33,10 @@ struct OffsetBound {
   [[nodiscard]] double value(const Vector3& r) const;
   [[nodiscard]] Vector3 gradient(const Vector3& r) const;
   [[nodiscard]] Eigen::Matrix3d curvature() const;
+
+  /// An energy that pulls r well within the bound: its second derivative, and its first one at `r`.
+  [[nodiscard]] Eigen::Matrix3d curvatureOfPull() const;
+  [[nodiscard]] Vector3 gradientOfPull(const Vector3& r) const;
 
   /// Returns the nearest offset at the bound.
   [[nodiscard]] Vector3 onto(const Vector3& r) const;

@@ -195,6 +195,7 @@ TEST(PointTolerances, OfOneSideOnlyPushOneWay)
   EXPECT_NEAR(height(-kInfinite, free + 0.1, 3), free, 1e-9);
   EXPECT_NEAR(height(free + 0.5, kInfinite), free + 0.5, kRoundingOfPlaces);
   EXPECT_NEAR(height(-kInfinite, 0.25), 0.25, kRoundingOfPlaces);
+  EXPECT_NEAR(height(-kInfinite, 0), 0, kRoundingOfPlaces) << "the target lies at the bound";
   EXPECT_NEAR(height(0.125, 0.25), 0.25, kRoundingOfPlaces);
 }
 

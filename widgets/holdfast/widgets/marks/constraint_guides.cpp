@@ -60,7 +60,9 @@ class GuideMaker {
       for (std::size_t k = 0; k < shown.size(); ++k) shown[k] = static_cast<Index>(k);
     for (const Index k : shown) {
       const double size = kPointGuide * diagonal_;
-      addOne(points[static_cast<std::size_t>(k)], points[static_cast<std::size_t>(k)].target, {size, size, size});
+      const GuidedPoint& point = points[static_cast<std::size_t>(k)];
+      // The nearest to the point of the places that it may go to.
+      addOne(point, point.place - point.directions.held(point.place - point.target), {size, size, size});
     }
   }
 
