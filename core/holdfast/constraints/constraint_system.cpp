@@ -27,6 +27,9 @@ const std::string kUnsaidNote = "unsaid_rotation";
 // A person looks at no more.
 constexpr std::size_t kMostUnpairedNames = 5;
 
+// A triangle lies along a plane if it rises by no more than this share of its sides.
+constexpr double kFlat = 1e-6;
+
 bool statesRotation(const HandleConstraint& handle)
 {
   return !handle.rotations.empty() || !std::holds_alternative<std::monostate>(handle.motion);
@@ -277,6 +280,8 @@ class SystemBuilder {
     const RowDirections directions = std::visit([](const auto& on) { return on.directions(); }, guide);
     requireDirection(directions);
     requireTolerance(slide.within, directions);
+    if (std::holds_alternative<OnPlane>(guide) && std::holds_alternative<Exactly>(slide.within))
+      keepFlat(unknowns, directions.axis());
     if (!slide.together) {
       for (const Index u : unknowns)
         std::visit(
@@ -301,6 +306,22 @@ class SystemBuilder {
                                 RowKind::Region, 0, directions});
     if (unknowns.size() == 1)
       note("plane_of_one_vertex", "a plane or a line of one vertex that may shift holds nothing; select more vertices");
+  }
+
+  /// Where triangles lie along a plane that all of their corners keep to, the surface rotates about its normal alone.
+  void keepFlat(const std::vector<Index>& unknowns, const Vector3& normal)
+  {
+    std::vector<char> isIn(static_cast<std::size_t>(solverMesh_.unknownCount()), 0);
+    for (const Index u : unknowns) isIn[u] = 1;
+    std::vector<Index> flat;
+    for (const auto& [a, b, c] : solverMesh_.triangles) {
+      if (isIn[a] == 0 || isIn[b] == 0 || isIn[c] == 0) continue;
+      const Vector3 first = solverMesh_.rest.row(b) - solverMesh_.rest.row(a);
+      const Vector3 second = solverMesh_.rest.row(c) - solverMesh_.rest.row(a);
+      const double rise = std::max(std::abs(normal.dot(first)), std::abs(normal.dot(second)));
+      if (rise <= kFlat * std::max(first.norm(), second.norm())) flat.insert(flat.end(), {a, b, c});
+    }
+    for (const Index u : sortedOnce(std::move(flat))) system_.flat.push_back({u, normal});
   }
 
   void requireShiftable(const SlideConstraint& slide) const
@@ -441,6 +462,11 @@ class SystemBuilder {
         // An axial vector.
         image.q = 2 * mirror.normal.dot(image.q) * mirror.normal - image.q;
         giveRotationTo(partner, image);
+      }
+    for (const FlatRotation& flat : std::vector<FlatRotation>(system_.flat))
+      if (const Index partner = partnerOf[flat.unknown]; partner >= 0) {
+        const FlatRotation image{partner, flat.normal - 2 * mirror.normal.dot(flat.normal) * mirror.normal};
+        if (std::ranges::count(system_.flat, image.unknown, &FlatRotation::unknown) == 0) system_.flat.push_back(image);
       }
     const std::size_t regions = system_.rigidRegions.size();
     for (std::size_t k = 0; k < regions; ++k) addRegion(imageOf(system_.rigidRegions[k], partnerOf));

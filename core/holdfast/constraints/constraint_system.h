@@ -75,6 +75,14 @@ struct GivenRotation {
   bool isStated = true;         ///< false for a handle that only moves: 0 is what it does unless rotations are found
 };
 
+/// The surface stays flat at this unknown: its rotation is about the normal alone.
+struct FlatRotation {
+  Index unknown = 0;
+  Vector3 normal = Vector3::UnitZ();  ///< of length 1
+
+  friend bool operator==(const FlatRotation&, const FlatRotation&) = default;
+};
+
 /// A note says what is doubtful about an enabled constraint that is solved all the same.
 struct ConstraintNote {
   Index constraint = 0;  ///< place in the list
@@ -96,6 +104,7 @@ struct ConstraintSystem {
   std::vector<TolerantRow> tolerant;     ///< ascending by row; until places are chosen the rows have their targets
   std::vector<RotatedVector> rotated;    ///< ascending by row; the rows are as at q = 0, see `rotated`
   std::vector<GivenRotation> rotations;  ///< in the user's order; each unknown once, because the first stands
+  std::vector<FlatRotation> flat;        ///< in the user's order; an unknown between flat regions has one of each
   std::vector<std::vector<Index>> rigidRegions;  ///< unknowns of each, ascending; the rows refer to the first
   std::vector<ConstraintNote> notes;             ///< in the user's order
   std::vector<NearPlace> nearPlaces;             ///< of enabled constraints, in the user's order

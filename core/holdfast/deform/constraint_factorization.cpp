@@ -89,7 +89,7 @@ bool ConstraintFactorization::serves(const ConstraintSystem& other) const
 bool ConstraintFactorization::turnsAs(const ConstraintSystem& other) const
 {
   return std::ranges::equal(other.rotations, system.rotations, {}, &GivenRotation::unknown, &GivenRotation::unknown) &&
-         other.rigidRegions == system.rigidRegions;
+         other.rigidRegions == system.rigidRegions && other.flat == system.flat;
 }
 
 bool ConstraintFactorization::standsOn(const ConstraintFactorization& other) const

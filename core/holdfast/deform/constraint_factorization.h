@@ -41,7 +41,7 @@ struct ConstraintFactorization {
   /// Tells whether `other` has the rows, given rotations and rigid regions that this was made of. O(terms).
   [[nodiscard]] bool serves(const ConstraintSystem& other) const;
 
-  /// Tells whether `other` has the same given rotations and rigid regions.
+  /// Tells whether `other` has the same given rotations, rigid regions and flat unknowns.
   [[nodiscard]] bool turnsAs(const ConstraintSystem& other) const;
 
   /// Tells whether the same rows stand in both.

@@ -1,6 +1,9 @@
 #pragma once
 /// The rotation field of a set of constraints, and what it does to the problem of positions: sections 3.3 and 4.
 
+#include <algorithm>
+#include <bitset>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -42,20 +45,34 @@ class RotationFactorization {
   {
   }
 
-  /// Returns the field for the rotations of `system`. The prescribed unknowns and rigid regions must be the same at
-  /// every call. The first rotations that are asked for start the factorisation. `progress` may throw then, and the
-  /// next call goes on.
+  /// Returns the field for the rotations of `system`. The prescribed unknowns, rigid regions and flat unknowns must be
+  /// the same at every call. At flat unknowns the field is 0 across the normal, so that each axis of a frame of their
+  /// normals is a problem of its own. Those whose normals are at odds with most others' are free. The first rotations
+  /// that are asked for start the factorisation. `progress` may throw then, and the next call goes on.
   [[nodiscard]] Rotations solve(const ConstraintSystem& system, Progress& progress);
 
   /// Tells whether nothing is left to factorise.
-  [[nodiscard]] bool isReady() const { return field_ && field_->isDone(); }
+  [[nodiscard]] bool isReady() const
+  {
+    return !fields_.empty() && std::ranges::all_of(fields_, [](const AxisField& some) { return some.field->isDone(); });
+  }
 
  private:
+  /// The coordinates of the field along some axes of the frame, where flat unknowns are 0 across their normals.
+  struct AxisField {
+    std::bitset<3> axes;
+    Index flat = 0;  ///< how many such unknowns are prescribed behind the given ones
+    std::unique_ptr<LongStep<RotationFieldResult>> field;
+  };
+
+  void prepare(const ConstraintSystem& system);
+
   const SolverMesh& mesh_;
   std::shared_ptr<const Operators> operators_;
   Backend backend_;
   std::vector<int> ranks_;
-  std::optional<LongStep<RotationFieldResult>> field_;
+  std::vector<AxisField> fields_;  // empty until a rotation is asked for
+  Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
   std::vector<Finding> guards_;
 };
 
