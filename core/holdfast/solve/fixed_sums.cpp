@@ -17,8 +17,7 @@ constexpr double kAgrees = 5e-13;
 
 }  // namespace
 
-FixedSums::FixedSums(const std::vector<SumEquation>& equations, Index count)
-    : particular_(Eigen::VectorXd::Zero(count))
+FixedSums::FixedSums(const std::vector<SumEquation>& equations, Index count) : particular_(Eigen::VectorXd::Zero(count))
 {
   DisjointSets columns(count);
   for (const SumEquation& equation : equations)
