@@ -12,8 +12,8 @@ namespace holdfast {
 /// number of threads. O(n^3).
 [[nodiscard]] bool factorizeDense(Eigen::MatrixXd& A);
 
-/// Returns the inverse of the symmetric matrix `A`, or nothing where it is not positive definite in doubles. Three times
-/// the cost of a factorisation, and memory for 4 n^2 numbers.
+/// Returns the inverse of the symmetric matrix `A`, or nothing where it is not positive definite in doubles. Three
+/// times the cost of a factorisation, and memory for 4 n^2 numbers.
 [[nodiscard]] std::optional<Eigen::MatrixXd> inverseOfDefinite(const Eigen::MatrixXd& A);
 
 }  // namespace holdfast

@@ -59,7 +59,8 @@ struct ChosenOffsets {
 /// that are allowed. Points that are out of reach do not count; of two that exclude one another that is the later.
 ///
 /// A primal-dual interior-point method (Boyd and Vandenberghe, Convex Optimization, 11.7) takes some 30 steps of
-/// O(k^3); one for each axis where all have the same matrix and no point follows from others costs a fifth. The offsets are allowed to the last bit, but for points that follow from others. Lengths may have any unit.
+/// O(k^3). A step costs a fifth where all axes have the same matrix and no point follows from others. The offsets are
+/// allowed to the last bit, but for points that follow from others. Lengths may have any unit.
 [[nodiscard]] ChosenOffsets chooseOffsets(const std::array<AxisPull, 3>& axes,
                                           const std::vector<AllowedOffset>& allowed);
 
