@@ -9,9 +9,10 @@
 #include <fmt/format.h>
 
 #include <holdfast/constraints/axis_systems.h>
+#include <holdfast/constraints/chosen_rows.h>
 #include <holdfast/constraints/fitted_guides.h>
 #include <holdfast/constraints/handle_motion.h>
-#include <holdfast/constraints/mirror_pairs.h>
+#include <holdfast/constraints/mirror_rows.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/mesh/index_lists.h>
@@ -26,9 +27,6 @@ const std::string kUnsaidNote = "unsaid_rotation";
 
 // A person looks at no more.
 constexpr std::size_t kMostUnpairedNames = 5;
-
-// A triangle lies along a plane if it rises by no more than this share of its sides.
-constexpr double kFlat = 1e-6;
 
 bool statesRotation(const HandleConstraint& handle)
 {
@@ -63,10 +61,10 @@ class SystemBuilder {
     system_.rows.reserve(rows);
     surroundings_ = surroundings();
     forEach([this](const auto& what) { add(what); });
-    mirrorRotations();
+    handOnRotations(system_, mirrors_, hasRotation_);
     rotateRegionsAsTheirFirst();
-    chooseRowsAtOdds();
-    requireFewTolerant();
+    chooseRowsAtOdds(system_, list_, source_);
+    requireFewTolerant(system_, list_, source_);
     return std::move(system_);
   }
 
@@ -99,28 +97,6 @@ class SystemBuilder {
     } catch (const InputError& error) {
       throw InputError(key(name + error.location().element), error.reason());
     }
-  }
-
-  /// Rows whose directions are at odds with the frame of most others go to places that are chosen in these.
-  void chooseRowsAtOdds()
-  {
-    const std::vector<Index> rows = rowsAtOdds(system_.rows);
-    if (rows.empty()) return;
-    if (rows.size() + system_.tolerant.size() > kMostTolerantPoints) {
-      const Index constraint = system_.rows[rows.front()].constraint;
-      throw InputError(
-          {source_, 0, fmt::format("constraints[{}]", constraint)},
-          fmt::format("{}: its direction is neither parallel nor square to those of most others. {} rows of "
-                      "the list are so, and more than {} are not solved together; make directions "
-                      "parallel or square, or disable some",
-                      inQuotes(list_.constraints[constraint].name), rows.size(), kMostTolerantPoints));
-    }
-    for (const Index r : rows) {
-      ConstraintRow& row = system_.rows[r];
-      row.isChosen = true;
-      system_.tolerant.push_back({r, Exactly{}, row.target, row.shift, {}});
-    }
-    std::ranges::sort(system_.tolerant, {}, &TolerantRow::row);
   }
 
   [[nodiscard]] bool isEnabled() const { return list_.constraints[current_].isEnabled; }
@@ -228,23 +204,6 @@ class SystemBuilder {
     return on.surface;
   }
 
-  void requireFewTolerant() const
-  {
-    if (system_.tolerant.size() <= kMostTolerantPoints) return;
-    const bool isFrameOfCoordinates = commonFrame(system_.rows).value_or(Eigen::Matrix3d::Zero()).isIdentity(0);
-    const auto together = std::ranges::find_if(system_.tolerant, [&](const TolerantRow& tolerant) {
-      return !isFrameOfCoordinates || !isByCoordinates(tolerant, system_.rows[tolerant.row].directions);
-    });
-    if (together == system_.tolerant.end()) return;
-    const Index constraint = system_.rows[together->row].constraint;
-    throw InputError(
-        {source_, 0, fmt::format("constraints[{}]", constraint)},
-        fmt::format("{} points have tolerances or weights or lie on surfaces. More than {} are solved together only "
-                    "where all have boxes, weights, or bounds along x, y or z, and {} has none of these; make some "
-                    "exact, select fewer, or disable some",
-                    system_.tolerant.size(), kMostTolerantPoints, inQuotes(list_.constraints[constraint].name)));
-  }
-
   void add(const RigidConstraint& /*rigid*/)
   {
     if (!isEnabled()) return;
@@ -281,7 +240,8 @@ class SystemBuilder {
     requireDirection(directions);
     requireTolerance(slide.within, directions);
     if (std::holds_alternative<OnPlane>(guide) && std::holds_alternative<Exactly>(slide.within))
-      keepFlat(unknowns, directions.axis());
+      for (const Index u : flatAlong(solverMesh_, unknowns, directions.axis()))
+        system_.flat.push_back({u, directions.axis()});
     if (!slide.together) {
       for (const Index u : unknowns)
         std::visit(
@@ -308,22 +268,6 @@ class SystemBuilder {
       note("plane_of_one_vertex", "a plane or a line of one vertex that may shift holds nothing; select more vertices");
   }
 
-  /// Where triangles lie along a plane that all of their corners keep to, the surface rotates about its normal alone.
-  void keepFlat(const std::vector<Index>& unknowns, const Vector3& normal)
-  {
-    std::vector<char> isIn(static_cast<std::size_t>(solverMesh_.unknownCount()), 0);
-    for (const Index u : unknowns) isIn[u] = 1;
-    std::vector<Index> flat;
-    for (const auto& [a, b, c] : solverMesh_.triangles) {
-      if (isIn[a] == 0 || isIn[b] == 0 || isIn[c] == 0) continue;
-      const Vector3 first = solverMesh_.rest.row(b) - solverMesh_.rest.row(a);
-      const Vector3 second = solverMesh_.rest.row(c) - solverMesh_.rest.row(a);
-      const double rise = std::max(std::abs(normal.dot(first)), std::abs(normal.dot(second)));
-      if (rise <= kFlat * std::max(first.norm(), second.norm())) flat.insert(flat.end(), {a, b, c});
-    }
-    for (const Index u : sortedOnce(std::move(flat))) system_.flat.push_back({u, normal});
-  }
-
   void requireShiftable(const SlideConstraint& slide) const
   {
     if (std::holds_alternative<OnMesh>(slide.on))
@@ -347,29 +291,8 @@ class SystemBuilder {
     if (!mirror.pairs.empty()) listed = listedPairs(mirror);
     if (!isEnabled()) return;
     MirrorPairs found = listed ? *std::move(listed) : foundPairs(mirror);
-    const Vector3& n = along.axis();
-    const Vector3 twice = 2 * n.dot(mirror.point) * n;
-    for (const auto& [a, b] : found.pairs) {
-      const Vector3 first = solverMesh_.rest.row(a);
-      const Vector3 second = solverMesh_.rest.row(b);
-      const Vector3 sum = twice - along.held(first + second);
-      system_.rows.push_back({{{a, 1.0}, {b, 1.0}}, twice, sum, current_, RowKind::Mirrored, 0, along});
-      const RowDirections across = RowDirections::across(n);
-      system_.rows.push_back({{{a, 1.0}, {b, -1.0}},
-                              Vector3::Zero(),
-                              across.held(second - first),
-                              current_,
-                              RowKind::Mirrored,
-                              0,
-                              across});
-    }
-    const OnPlane plane{mirror.point, mirror.normal, 0};
-    for (const Index u : found.onPlane) {
-      const Vector3 rest = solverMesh_.rest.row(u);
-      system_.rows.push_back(
-          {{{u, 1.0}}, plane.placeFrom(rest), plane.shiftFrom(rest), current_, RowKind::Position, 0, along});
-    }
-    mirrors_.push_back({current_, n, std::move(found)});
+    addMirrorRows(system_, mirror, found, current_, solverMesh_.rest);
+    mirrors_.push_back({current_, along.axis(), std::move(found)});
   }
 
   /// The listed pairs, over unknowns.
@@ -428,65 +351,6 @@ class SystemBuilder {
          fmt::format("{} of {} vertices have no partner across its plane within {:.3g} and are free of it: {}{}; "
                      "raise \"tolerance\", or select fewer",
                      unpaired.size(), wanted, tolerance, names, unpaired.size() > kMostUnpairedNames ? ", ..." : ""));
-  }
-
-  /// Partners of vertices whose rotations are given turn as their images do, and those of a rigid region turn together.
-  /// With several planes this goes on until every image has its own.
-  void mirrorRotations()
-  {
-    for (bool isNews = true; isNews;) {
-      const std::size_t before = system_.rotations.size();
-      const std::size_t regions = system_.rigidRegions.size();
-      for (const MirrorPlanePairs& mirror : mirrors_) handOn(mirror);
-      isNews = system_.rotations.size() > before || system_.rigidRegions.size() > regions;
-    }
-  }
-
-  struct MirrorPlanePairs {
-    Index constraint;
-    Vector3 normal;
-    MirrorPairs found;
-  };
-
-  void handOn(const MirrorPlanePairs& mirror)
-  {
-    if (system_.rotations.empty() && system_.rigidRegions.empty()) return;
-    std::vector<Index> partnerOf(hasRotation_.size(), -1);
-    for (const auto& [a, b] : mirror.found.pairs) std::tie(partnerOf[a], partnerOf[b]) = std::pair(b, a);
-    for (const Index u : mirror.found.onPlane) partnerOf[u] = u;
-    current_ = mirror.constraint;
-    const std::size_t given = system_.rotations.size();
-    for (std::size_t k = 0; k < given; ++k)
-      if (const Index partner = partnerOf[system_.rotations[k].unknown]; partner >= 0) {
-        GivenRotation image = system_.rotations[k];
-        // An axial vector.
-        image.q = 2 * mirror.normal.dot(image.q) * mirror.normal - image.q;
-        giveRotationTo(partner, image);
-      }
-    for (const FlatRotation& flat : std::vector<FlatRotation>(system_.flat))
-      if (const Index partner = partnerOf[flat.unknown]; partner >= 0) {
-        const FlatRotation image{partner, flat.normal - 2 * mirror.normal.dot(flat.normal) * mirror.normal};
-        if (std::ranges::count(system_.flat, image.unknown, &FlatRotation::unknown) == 0) system_.flat.push_back(image);
-      }
-    const std::size_t regions = system_.rigidRegions.size();
-    for (std::size_t k = 0; k < regions; ++k) addRegion(imageOf(system_.rigidRegions[k], partnerOf));
-  }
-
-  /// Those of the region that have partners; on the plane they are their own.
-  static std::vector<Index> imageOf(const std::vector<Index>& region, const std::vector<Index>& partnerOf)
-  {
-    std::vector<Index> image;
-    for (const Index u : region)
-      if (partnerOf[u] >= 0) image.push_back(partnerOf[u]);
-    return sortedOnce(std::move(image));
-  }
-
-  /// Does nothing where all of its unknowns turn together already.
-  void addRegion(std::vector<Index> region)
-  {
-    const auto hasAll = [&](const std::vector<Index>& other) { return std::ranges::includes(other, region); };
-    if (region.size() > 1 && std::ranges::none_of(system_.rigidRegions, hasAll))
-      system_.rigidRegions.push_back(std::move(region));
   }
 
   using Guide = std::variant<OnPlane, OnLine, OnMesh>;
@@ -627,7 +491,7 @@ class SystemBuilder {
   HandleSurroundings surroundings_;
   std::vector<Index> pinOf_;       // of each unknown: the row that pinned it last in a selection
   std::vector<bool> hasRotation_;  // of each unknown: its rotation is given
-  std::vector<MirrorPlanePairs> mirrors_;
+  std::vector<MirrorPlane> mirrors_;
   Index current_ = 0;
   ConstraintSystem system_;
 };

@@ -8,6 +8,7 @@
 #include <holdfast/deform/deform.h>
 #include <holdfast/deform/forces.h>
 #include <holdfast/deform/rotation_factorization.h>
+#include <holdfast/deform/separate_places.h>
 #include <holdfast/deform/tolerant_points.h>
 #include <holdfast/elimination/axis_elimination.h>
 #include <holdfast/rotation/rotation_energy.h>

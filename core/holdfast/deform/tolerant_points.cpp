@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <map>
-#include <tuple>
 
 #include <fmt/format.h>
 
 #include <holdfast/deform/feet_on_surfaces.h>
+#include <holdfast/deform/tolerance_offsets.h>
 #include <holdfast/mesh/index_lists.h>
 #include <holdfast/solve/allowed_places.h>
-#include <holdfast/solve/offset_bound.h>
 #include <holdfast/threads/parallel.h>
 
 namespace holdfast {
@@ -24,13 +21,6 @@ constexpr Index kAtOnce = 3;
 // Where the reach of all points has more numbers, each choice of targets is followed by a solution instead.
 constexpr Index kMostNumbersOfReach = 100'000'000;
 
-/// Of a row of the whole system: its place in a part.
-Index rowInPart(const AxisElimination& part, Index row)
-{
-  if (part.rows.empty()) return row;
-  return std::ranges::lower_bound(part.rows, row) - part.rows.begin();
-}
-
 /// The tolerant points that follow from no other rows of a part.
 std::vector<Index> independentPoints(const ConstraintSystem& system, const AxisElimination& part)
 {
@@ -40,14 +30,6 @@ std::vector<Index> independentPoints(const ConstraintSystem& system, const AxisE
                                     &Dependency::row))
       points.push_back(static_cast<Index>(i));
   return points;
-}
-
-/// `directions` by coordinates of the frame.
-RowDirections inFrame(const RowDirections& directions, const Eigen::Matrix3d& frame)
-{
-  if (directions.areAll()) return directions;
-  const Vector3 axis = frame.transpose() * directions.axis();
-  return directions.areAlongAxis() ? RowDirections::along(axis) : RowDirections::across(axis);
 }
 
 /// How the pull of each tolerant point grows with its own offset, the mean of all axes.
@@ -62,175 +44,6 @@ Eigen::VectorXd ownStiffness(const ConstraintSystem& system, const PlaceChoice& 
   }
   return result;
 }
-
-std::vector<Index> rowsOfPoints(const ConstraintSystem& system)
-{
-  std::vector<Index> rows;
-  rows.reserve(system.tolerant.size());
-  for (const TolerantRow& tolerant : system.tolerant) rows.push_back(tolerant.row);
-  return rows;
-}
-
-struct AllowedBy {
-  const Eigen::Matrix3d& frame;
-  double diagonal;
-  double weightScale;
-  RowDirections directions;  // by coordinates of the frame
-
-  AllowedOffset operator()(const Exactly& /*exactly*/) const { return {.directions = directions, .isZero = true}; }
-  AllowedOffset operator()(const WithinBall& ball) const
-  {
-    return {.directions = directions, .radius = ball.radius / diagonal};
-  }
-  AllowedOffset operator()(const WithinBox& box) const
-  {
-    AllowedOffset result;
-    for (Index k = 0; k < 3; ++k)
-      result.slabs.push_back({frame.row(k).transpose(), -box.half[k] / diagonal, box.half[k] / diagonal});
-    return result;
-  }
-  AllowedOffset operator()(const WithinSlab& slab) const
-  {
-    const Vector3 normal =
-        slab.normal ? Vector3(frame.transpose() * slab.normal->stableNormalized()) : directions.axis();
-    return {.directions = directions, .slabs = {{normal, slab.low / diagonal, slab.high / diagonal}}};
-  }
-  AllowedOffset operator()(const Weighted& weighted) const
-  {
-    const double w = weighted.weight / weightScale;
-    return {.directions = directions, .weight = w * w};
-  }
-};
-
-/// Brings a place that is meant to lie within a tolerance there in doubles, too.
-struct WithinInDoubles {
-  const Vector3& target;
-  const RowDirections& directions;
-
-  /// Far from the origin doubles may lie farther apart than the radius: no more is promised there than their distance.
-  Vector3 operator()(const WithinBall& ball, Vector3 offset) const
-  {
-    constexpr int kMostTries = 4;
-    for (int k = 0; k < kMostTries && directions.held(Vector3(target + offset) - target).norm() > ball.radius; ++k)
-      offset -= std::numeric_limits<double>::epsilon() * directions.held(offset);
-    return offset;
-  }
-  Vector3 operator()(const WithinBox& box, const Vector3& offset) const
-  {
-    return offset.cwiseMax(-box.half).cwiseMin(box.half);
-  }
-  Vector3 operator()(const auto& /*other*/, const Vector3& offset) const { return offset; }
-};
-
-/// Gives each tolerant row the target at its offset (rows x 3, model units) from the stated one.
-void takeOffsets(ConstraintSystem& system, const Positions& offsets)
-{
-  for (std::size_t i = 0; i < system.tolerant.size(); ++i) {
-    const TolerantRow& tolerant = system.tolerant[i];
-    ConstraintRow& row = system.rows[tolerant.row];
-    const Vector3 offset = std::visit(
-        [&](const auto& within) {
-          return WithinInDoubles{tolerant.target, row.directions}(within, offsets.row(static_cast<Index>(i)));
-        },
-        tolerant.within);
-    row.target = tolerant.target + offset;
-    row.shift = tolerant.shift + offset;
-  }
-}
-
-/// The bounds of a point along the axes of the frame.
-using BoundsOfPoint = std::array<RowBound, 3>;
-
-/// Each bound of such a point is along one axis, which `requireFewTolerant` of the list has seen to.
-BoundsOfPoint boundsByAxis(const AllowedOffset& allowed)
-{
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  BoundsOfPoint bounds;
-  for (Index k = 0; k < 3; ++k) {
-    RowBound& bound = bounds[static_cast<std::size_t>(k)] = {-kFar, kFar, 0};
-    const double held = allowed.directions.held(Vector3::Unit(k)).norm();
-    if (held > 0.5) bound.weight = allowed.weight;
-    if (held > 0.5 && allowed.radius > 0) std::tie(bound.low, bound.high) = std::pair(-allowed.radius, allowed.radius);
-    for (const AllowedSlab& slab : allowed.slabs) {
-      if (slab.normal[k] > 0.5) bound = {std::max(bound.low, slab.low), std::min(bound.high, slab.high), bound.weight};
-      if (slab.normal[k] < -0.5)
-        bound = {std::max(bound.low, -slab.high), std::min(bound.high, -slab.low), bound.weight};
-    }
-  }
-  return bounds;
-}
-
-/// What a pull could do between the bounds.
-double workOf(const RowBound& bound, double pull)
-{
-  const bool isBounded = std::isfinite(bound.low) || std::isfinite(bound.high);
-  return isBounded ? std::abs(pull) * roomBetween(bound.low, bound.high) : 0;
-}
-
-/// Chooses places along one axis after the other.
-class SeparateChooser {
- public:
-  SeparateChooser(ConstraintSystem& system, const SeparateChoice& choice)
-      : system_(system), choice_(choice), eliminated_(choice.solvers.eliminated()), frame_(eliminated_.frame())
-  {
-    for (const TolerantRow& tolerant : system.tolerant) {
-      const RowDirections directions = inFrame(system.rows[tolerant.row].directions, frame_);
-      bounds_.push_back(boundsByAxis(
-          std::visit(AllowedBy{frame_, choice.diagonal, choice.weightScale, directions}, tolerant.within)));
-    }
-  }
-
-  std::string choose(Progress& progress)
-  {
-    const auto count = static_cast<Index>(bounds_.size());
-    Positions offsets(count, 3);  // by coordinates of the frame, in diagonals
-    for (Index i = 0; i < count; ++i)
-      for (Index k = 0; k < 3; ++k) offsets(i, k) = withinBounds(boundOf(i, k).low, boundOf(i, k).high);
-    takeOffsets(system_, choice_.diagonal * offsets * frame_.transpose());
-    Columns3 shifts(static_cast<Index>(system_.rows.size()), 3);
-    for (Index r = 0; r < shifts.rows(); ++r) shifts.row(r) = system_.rows[r].shift;
-    std::vector<RowTargets> targets;
-    for (Columns3& ofPart : eliminated_.takenApart(shifts)) targets.push_back({std::move(ofPart), {}});
-    const Columns3 u = choice_.solvers.solve(targets, choice_.f).u;
-    const Columns3 pulls = choice_.pullsAt(u) * frame_;
-    const Columns3 inFrame = u * frame_ / choice_.diagonal;
-    const Columns3 f = choice_.f * frame_ / choice_.diagonal;
-    for (TolerantRow& tolerant : system_.tolerant) tolerant.isAtBound = false;
-    for (std::size_t p = 0; p < choice_.places.parts.size(); ++p)
-      for (Index k = 0; k < 3; ++k) {
-        if (!eliminated_.parts()[p].axes[static_cast<std::size_t>(k)]) continue;
-        BoundedStart start{inFrame.col(k), f.col(k), Eigen::VectorXd(count), 0};
-        std::vector<RowBound> bounds;
-        for (Index i = 0; i < count; ++i) {
-          bounds.push_back(boundOf(i, k));
-          start.targets[i] = frame_.col(k).dot(system_.tolerant[i].shift) / choice_.diagonal;
-          start.work += workOf(bounds.back(), pulls(system_.tolerant[i].row, k));
-        }
-        const auto chosen = choice_.places.parts[p].offsetsOf(start, bounds, [&](int number) {
-          progress.step(
-              fmt::format("choosing the places of {} points, axis {} of 3: factorisation {}", count, k + 1, number));
-        });
-        if (!chosen) return chosen.failure;
-        offsets.col(k) = chosen.value->offsets;
-        for (Index i = 0; i < count; ++i)
-          if (chosen.value->isAtBound[i] != 0) system_.tolerant[i].isAtBound = true;
-      }
-    takeOffsets(system_, choice_.diagonal * offsets * frame_.transpose());
-    return {};
-  }
-
- private:
-  [[nodiscard]] const RowBound& boundOf(Index point, Index axis) const
-  {
-    return bounds_[static_cast<std::size_t>(point)][static_cast<std::size_t>(axis)];
-  }
-
-  ConstraintSystem& system_;
-  const SeparateChoice& choice_;
-  const EliminatedByAxes& eliminated_;
-  const Eigen::Matrix3d& frame_;
-  std::vector<BoundsOfPoint> bounds_;  // lengths in diagonals
-};
 
 /// Makes the pulls along each axis of the frame.
 class PullsOfAxes {
@@ -327,7 +140,7 @@ class PullsOfAxes {
 
 bool areOfSameRows(const std::vector<PartStiffness>& stiffness, const ConstraintSystem& system)
 {
-  return !stiffness.empty() && stiffness.front().rows == rowsOfPoints(system);
+  return !stiffness.empty() && stiffness.front().rows == rowsOfTolerant(system);
 }
 
 std::vector<PartStiffness> stiffnessOf(const ConstraintSystem& system, const AxisSolvers& solvers,
@@ -340,7 +153,7 @@ std::vector<PartStiffness> stiffnessOf(const ConstraintSystem& system, const Axi
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const Elimination& elimination = parts[p].eliminated->elimination;
     PartStiffness& its =
-        result.emplace_back(PartStiffness{rowsOfPoints(system), independentPoints(system, parts[p]), {}});
+        result.emplace_back(PartStiffness{rowsOfTolerant(system), independentPoints(system, parts[p]), {}});
     const auto count = static_cast<Index>(its.points.size());
     std::vector<Index> rows;
     for (const Index point : its.points) rows.push_back(rowInPart(parts[p], system.tolerant[point].row));
@@ -370,7 +183,8 @@ std::vector<PartStiffness> looseStiffness(const ConstraintSystem& system, const 
 {
   std::vector<PartStiffness> result;
   for (const AxisElimination& part : eliminated.parts()) {
-    PartStiffness& its = result.emplace_back(PartStiffness{rowsOfPoints(system), independentPoints(system, part), {}});
+    PartStiffness& its =
+        result.emplace_back(PartStiffness{rowsOfTolerant(system), independentPoints(system, part), {}});
     const auto count = static_cast<Index>(its.points.size());
     its.matrix = Eigen::MatrixXd::Identity(count, count);
   }
@@ -380,6 +194,7 @@ std::vector<PartStiffness> looseStiffness(const ConstraintSystem& system, const 
 ChosenPlaces chooseTargets(ConstraintSystem& system, const PlaceChoice& choice, const Columns3& pulls)
 {
   const Eigen::Matrix3d& frame = choice.eliminated.frame();
+  const ToleranceUnits units{frame, choice.diagonal, choice.weightScale};
   const PullsOfAxes pullsOfAxes(system, choice, pulls);
   FeetOnSurfaces feet(system, ownStiffness(system, choice), choice.diagonal);
   ChosenOffsets chosen;
@@ -388,8 +203,7 @@ ChosenPlaces chooseTargets(ConstraintSystem& system, const PlaceChoice& choice, 
     std::vector<AllowedOffset> allowed;
     for (std::size_t i = 0; i < system.tolerant.size(); ++i) {
       const TolerantRow& tolerant = system.tolerant[i];
-      const RowDirections directions = inFrame(system.rows[tolerant.row].directions, frame);
-      allowed.push_back(std::visit(AllowedBy{frame, choice.diagonal, choice.weightScale, directions}, tolerant.within));
+      allowed.push_back(allowedOffset(tolerant, system.rows[tolerant.row].directions, units));
       feet.restrict(i, allowed.back());
     }
     chosen = chooseOffsets(pullsOfAxes.made(), allowed);
@@ -407,33 +221,6 @@ ChosenPlaces chooseTargets(ConstraintSystem& system, const PlaceChoice& choice, 
     rows = sortedOnce(std::move(rows));
   }
   return places;
-}
-
-SeparatePlaces separatePlaces(const ConstraintSystem& system, const EliminatedByAxes& eliminated,
-                              std::shared_ptr<const EnergyMatrix> A, const std::vector<int>& ranks)
-{
-  SeparatePlaces places{rowsOfPoints(system), {}, {}};
-  for (const AxisElimination& part : eliminated.parts()) {
-    std::vector<Index> rows;
-    for (const Index row : places.rows) rows.push_back(rowInPart(part, row));
-    const auto isTolerant = [&](Index row) { return std::ranges::binary_search(rows, row); };
-    for (const Dependency& dependency : part.eliminated->dependencies)
-      if (isTolerant(dependency.row) ||
-          std::ranges::any_of(dependency.terms, [&](const Term& term) { return isTolerant(term.index); })) {
-        places.failure = fmt::format(
-            "{} points have tolerances, and some of them follow from others. More than {} are solved only where none "
-            "does; leave out points that lie on the same vertices",
-            places.rows.size(), kMostTolerantPoints);
-        return places;
-      }
-    places.parts.emplace_back(A, *part.eliminated, rows, ranks);
-  }
-  return places;
-}
-
-std::string chooseSeparately(ConstraintSystem& system, const SeparateChoice& choice, Progress& progress)
-{
-  return SeparateChooser(system, choice).choose(progress);
 }
 
 Columns3 tolerantShifts(const ConstraintSystem& system)

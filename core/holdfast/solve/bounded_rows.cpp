@@ -54,13 +54,19 @@ double longestStep(const Eigen::VectorXd& numbers, const Eigen::VectorXd& change
   return longest;
 }
 
-/// What the exact rows leave free.
-SparseMatrix freeBasis(const EliminatedConstraints& eliminated, const std::vector<Index>& bounded, Index unknowns,
-                       const std::vector<int>& ranks)
+/// The independent rows that are not bounded.
+std::vector<Index> exactRows(const EliminatedConstraints& eliminated, const std::vector<Index>& bounded)
 {
   std::vector<Index> exact;
   std::ranges::set_difference(independentRows(eliminated.dependencies, eliminated.rows.size()), bounded,
                               std::back_inserter(exact));
+  return exact;
+}
+
+/// What the exact rows leave free.
+SparseMatrix freeBasis(const EliminatedConstraints& eliminated, const std::vector<Index>& exact, Index unknowns,
+                       const std::vector<int>& ranks)
+{
   const Elimination elimination(eliminated.rows, exact, unknowns, eliminated.isHeld);
   return orderedColumns(elimination.kept().empty() ? elimination.Q2() : elimination.wholeQ2(), ranks);
 }
@@ -85,7 +91,8 @@ BoundedRows::BoundedRows(std::shared_ptr<const EnergyMatrix> A, const Eliminated
                          const std::vector<Index>& bounded, const std::vector<int>& ranks)
     : A_(std::move(A)),
       B_(rowsAt(eliminated, bounded, A_->cols())),
-      Q2_(freeBasis(eliminated, bounded, A_->cols(), ranks)),
+      exactCount_(exactRows(eliminated, bounded).size()),
+      Q2_(freeBasis(eliminated, exactRows(eliminated, bounded), A_->cols(), ranks)),
       reduced_(B_ * Q2_.columns())
 {
   const ReducedMatrix C(A_, std::make_shared<const TwoWayMatrix>(Q2_), SparseMatrix(A_->cols(), 0),
@@ -140,6 +147,9 @@ Result<std::unique_ptr<const BoundedOffsets>> BoundedRows::offsetsOf(const Bound
     for (Index k = 0; k < count; ++k) sum[sides[k].row] += sides[k].sign * ofSides[k];
     return sum;
   };
+  if (exactCount_ == 0 && count == 0 && weights.isZero(0)) {  // nothing holds the surface along this axis
+    return {std::make_unique<BoundedOffsets>(BoundedOffsets{std::move(offsets), std::vector<char>(bounds.size(), 0)})};
+  }
   Eigen::VectorXd room(count);
   for (Index k = 0; k < count; ++k) room[k] = sides[k].most - sides[k].sign * offsets[sides[k].row];
   // All bounds begin with the same product of room and force.

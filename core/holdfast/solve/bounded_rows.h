@@ -44,8 +44,9 @@ class BoundedRows {
   BoundedRows(std::shared_ptr<const EnergyMatrix> A, const EliminatedConstraints& eliminated,
               const std::vector<Index>& bounded, const std::vector<int>& ranks);
 
-  /// Returns the offsets of the least energy. Calls `announce` with the number of each factorisation, from 1, before
-  /// it. Throws what that throws. Fails where a factorisation does.
+  /// Returns the offsets of the least energy, and those of `start` where no row holds the surface. Calls `announce`
+  /// with the number of each factorisation, from 1, before it. Throws what that throws. Fails where a factorisation
+  /// does.
   [[nodiscard]] Result<std::unique_ptr<const BoundedOffsets>> offsetsOf(const BoundedStart& start,
                                                                         const std::vector<RowBound>& bounds,
                                                                         const std::function<void(int)>& announce) const;
@@ -58,6 +59,7 @@ class BoundedRows {
 
   std::shared_ptr<const EnergyMatrix> A_;
   SparseRows B_;
+  std::size_t exactCount_;
   TwoWayMatrix Q2_;
   SparseRows reduced_;  // B Q2
   std::shared_ptr<const SymbolicFactor> symbolic_;

@@ -104,6 +104,18 @@ TEST(ManyTolerances, OfOneSideOnlyPushOneWay)
               measured.targets[k].z() + kLargestOff + 4e-14);
 }
 
+TEST(ManyTolerances, OfASlideLeaveTheSurfaceWhereItIsAlongThePlane)
+{
+  const Mesh mesh = test::grid(60, 40);
+  SlideConstraint slide{{AllOf{}}, OnPlane{Vector3(0, 0, 0.5), Vector3::UnitZ()}, false, WithinBall{0.125}};
+  const DeformResult result = test::deformed(mesh, test::listOf({{"near", true, std::move(slide)}}), {});
+  ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    EXPECT_EQ(result.positions.row(v).head<2>(), mesh.positions.row(v).head<2>());
+    EXPECT_NEAR(result.positions(v, 2), 0.5, 0.125 + 1e-15);
+  }
+}
+
 TEST(ManyTolerances, AreRefusedWhereABallIsAmongThem)
 {
   ManyMeasured measured(WithinBox{{1, 1, 1}});
