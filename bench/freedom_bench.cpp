@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -125,6 +126,7 @@ void manyBoxes(benchmark::State& state, const Mesh& mesh)
                                  });
       DeformResult result;
       samples.add(row, "seconds", secondsOf([&] { result = deform(model, list, "list", {}, progress); }));
+      if (result.report.solve.status != SolveStatus::Ok) throw std::runtime_error(result.report.solve.message);
       samples.add(row, "factorisations of an axis", factorizations);
       samples.add(row, "residual", result.report.solve.maxResidualRelative);
     }

@@ -36,7 +36,7 @@ SolverOptions inDiagonals(const DeformOptions& options, const SolverMesh& mesh)
 }  // namespace
 
 ConstraintFactorization::ConstraintFactorization(std::shared_ptr<const Model> model, const ModelOperators& of,
-                                                 const std::vector<int>& itsRanks, const ConstraintSystem& itsSystem,
+                                                 const std::vector<int>& ranks, const ConstraintSystem& itsSystem,
                                                  const DeformOptions& options, double itsTolerance)
     : system(itsSystem),
       tolerance(itsTolerance),
@@ -45,11 +45,10 @@ ConstraintFactorization::ConstraintFactorization(std::shared_ptr<const Model> mo
       mayHaveFewerRows(hasManyPoints(system.rows) && !(largestSensitivity() < 1 / kLargestNeededDistance)),
       actedOn(
           std::async(std::launch::deferred, [A = of.A, eliminated = eliminated] { return ActedOn(*A, *eliminated); })),
-      ranks(areSeparate(system) ? itsRanks : std::vector<int>()),
       rotations(
-          std::make_shared<RotationFactorization>(model->solverMesh, of.operators, options.solver.backend, itsRanks)),
+          std::make_shared<RotationFactorization>(model->solverMesh, of.operators, options.solver.backend, ranks)),
       positions(
-          [model = std::move(model), A = of.A, eliminated = eliminated, ranks = itsRanks, options = options]() mutable {
+          [model = std::move(model), A = of.A, eliminated = eliminated, ranks = ranks, options = options]() mutable {
             const Columns3& rest = model->solverMesh.rest;
             return makeAxisSolvers({A, eliminated, rest.rowwise() - rest.colwise().mean(), std::move(ranks)},
                                    inDiagonals(options, model->solverMesh));
@@ -65,7 +64,6 @@ ConstraintFactorization::ConstraintFactorization(const ConstraintFactorization& 
       sensitivities(wanted.sensitivities),
       mayHaveFewerRows(wanted.mayHaveFewerRows),
       actedOn(wanted.actedOn),
-      ranks(wanted.ranks),
       rotations(wanted.rotations),
       positions([base = std::move(base), eliminated = eliminated] {
         return base->positions.result(noProgress()).value->edited(eliminated);

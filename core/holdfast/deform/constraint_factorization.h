@@ -31,10 +31,9 @@ inline constexpr double kLargestNeededDistance = 1e-3;
 
 /// The elimination of one set of rows and, once they are asked for, the factors of positions and rotations.
 struct ConstraintFactorization {
-  /// Leaves out rows that are closer to those before them than `itsTolerance`. `itsRanks` is the order of elimination.
-  ConstraintFactorization(std::shared_ptr<const Model> model, const ModelOperators& of,
-                          const std::vector<int>& itsRanks, const ConstraintSystem& itsSystem,
-                          const DeformOptions& options, double itsTolerance);
+  /// Leaves out rows that are closer to those before them than `itsTolerance`. `ranks` is the order of elimination.
+  ConstraintFactorization(std::shared_ptr<const Model> model, const ModelOperators& of, const std::vector<int>& ranks,
+                          const ConstraintSystem& itsSystem, const DeformOptions& options, double itsTolerance);
 
   /// The same under the constraints of `wanted`, by the factor of `base`, bordered.
   ConstraintFactorization(const ConstraintFactorization& wanted, std::shared_ptr<ConstraintFactorization> base);
@@ -63,7 +62,6 @@ struct ConstraintFactorization {
   std::shared_future<ActedOn> actedOn;   ///< made with the first forces
   std::vector<PartStiffness> stiffness;  ///< of tolerant points, of each part; made with the first places
   SeparatePlaces separate;               ///< in its place where there are too many of them
-  std::vector<int> ranks;                ///< for `separate`; empty where nothing needs it
   std::shared_ptr<RotationFactorization> rotations;
   LongStep<AxisSolversResult> positions;
   std::vector<MovedSolutions> moved;  ///< of each part, where solutions may be sums of earlier ones; else none

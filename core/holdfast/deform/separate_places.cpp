@@ -110,7 +110,7 @@ class SeparateChooser {
 }  // namespace
 
 SeparatePlaces separatePlaces(const ConstraintSystem& system, const EliminatedByAxes& eliminated,
-                              std::shared_ptr<const EnergyMatrix> A, const std::vector<int>& ranks)
+                              std::shared_ptr<const EnergyMatrix> A)
 {
   SeparatePlaces places{rowsOfTolerant(system), {}, {}};
   for (const AxisElimination& part : eliminated.parts()) {
@@ -126,7 +126,7 @@ SeparatePlaces separatePlaces(const ConstraintSystem& system, const EliminatedBy
             places.rows.size(), kMostTolerantPoints);
         return places;
       }
-    places.parts.emplace_back(A, *part.eliminated, rows, ranks);
+    places.parts.emplace_back(A, *part.eliminated, rows);
   }
   return places;
 }

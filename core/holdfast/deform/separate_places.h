@@ -27,7 +27,7 @@ struct SeparatePlaces {
 };
 
 [[nodiscard]] SeparatePlaces separatePlaces(const ConstraintSystem& system, const EliminatedByAxes& eliminated,
-                                            std::shared_ptr<const EnergyMatrix> A, const std::vector<int>& ranks);
+                                            std::shared_ptr<const EnergyMatrix> A);
 
 /// A frame for which `chooseSeparately` chooses places.
 struct SeparateChoice {

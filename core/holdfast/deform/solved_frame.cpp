@@ -151,7 +151,7 @@ class FrameSolver {
     for (const TolerantRow& tolerant : details_->system.tolerant) rows.push_back(tolerant.row);
     if (by_.separate.rows == rows) return;
     progress.step(fmt::format("preparing the places of {} points", rows.size()));
-    by_.separate = separatePlaces(details_->system, *by_.eliminated, problem_.operators.A, by_.ranks);
+    by_.separate = separatePlaces(details_->system, *by_.eliminated, problem_.operators.A);
   }
 
   /// Solves for the targets that rows have.

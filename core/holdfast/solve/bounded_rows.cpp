@@ -4,11 +4,11 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include <holdfast/factor/multifrontal.h>
-#include <holdfast/ordering/elimination_order.h>
+#include <holdfast/factor/multipliers.h>
+#include <holdfast/ordering/minimum_degree.h>
 #include <holdfast/solve/offset_bound.h>
 
 namespace holdfast {
@@ -19,11 +19,17 @@ constexpr int kMostFactorizations = 60;
 // Steps end this far before a bound.
 constexpr double kToTheBound = 0.995;
 
-// Of the work that pulls could do within the bounds: what the minimum may be off.
+// Of the work that pulls could do within the bounds: what the minimum may be off. Rounding of large meshes ends the
+// steps before, where they get shorter than `kStalled` of their length; then so much may be left.
 constexpr double kGapOfWork = 1e-15;
+constexpr double kStalled = 1e-2;
+constexpr double kUsableGapOfWork = 1e-7;
 
 // Rows of the pattern alone: their squares are nothing beside the entries of any energy.
 constexpr double kPatternOnly = 1e-150;
+
+// Rows that weigh nothing have this weight, beside which all numbers of an energy are large.
+constexpr double kLeastWeight = 1e-100;
 
 /// One finite bound: sign * r <= most.
 struct Side {
@@ -64,11 +70,10 @@ std::vector<Index> exactRows(const EliminatedConstraints& eliminated, const std:
 }
 
 /// What the exact rows leave free.
-SparseMatrix freeBasis(const EliminatedConstraints& eliminated, const std::vector<Index>& exact, Index unknowns,
-                       const std::vector<int>& ranks)
+SparseMatrix freeBasis(const EliminatedConstraints& eliminated, const std::vector<Index>& exact, Index unknowns)
 {
   const Elimination elimination(eliminated.rows, exact, unknowns, eliminated.isHeld);
-  return orderedColumns(elimination.kept().empty() ? elimination.Q2() : elimination.wholeQ2(), ranks);
+  return elimination.kept().empty() ? elimination.Q2() : elimination.wholeQ2();
 }
 
 SparseRows rowsAt(const EliminatedConstraints& eliminated, const std::vector<Index>& places, Index unknowns)
@@ -76,6 +81,17 @@ SparseRows rowsAt(const EliminatedConstraints& eliminated, const std::vector<Ind
   std::vector<RowTerms> rows;
   for (const Index place : places) rows.push_back(eliminated.rows[place]);
   return constraintMatrix(rows, unknowns);
+}
+
+/// The lower triangle of [M, K^T; K, D], with room for D, from that of M, whose columns are in this order.
+SparseMatrix withRowsBelow(const SparseMatrix& lower, const std::vector<int>& order, const SparseMatrix& K)
+{
+  const Index size = lower.cols();
+  return assembled<SparseMatrix>(size + K.rows(), size + K.rows(), [&](Index k, ColumnSum& sum) {
+    if (k >= size) return sum.add(static_cast<int>(k), kPatternOnly);
+    sum.addColumn(lower, k);
+    sum.addColumn(K, order[static_cast<std::size_t>(k)], size);
+  });
 }
 
 Columns3 asColumns(const Eigen::VectorXd& values)
@@ -88,31 +104,33 @@ Columns3 asColumns(const Eigen::VectorXd& values)
 }  // namespace
 
 BoundedRows::BoundedRows(std::shared_ptr<const EnergyMatrix> A, const EliminatedConstraints& eliminated,
-                         const std::vector<Index>& bounded, const std::vector<int>& ranks)
+                         const std::vector<Index>& bounded)
     : A_(std::move(A)),
       B_(rowsAt(eliminated, bounded, A_->cols())),
       exactCount_(exactRows(eliminated, bounded).size()),
-      Q2_(freeBasis(eliminated, exactRows(eliminated, bounded), A_->cols(), ranks)),
+      Q2_(freeBasis(eliminated, exactRows(eliminated, bounded), A_->cols())),
       reduced_(B_ * Q2_.columns())
 {
   const ReducedMatrix C(A_, std::make_shared<const TwoWayMatrix>(Q2_), SparseMatrix(A_->cols(), 0),
                         kPatternOnly * reduced_);
   lower_ = C.gramLower();
-  std::vector<int> order(static_cast<std::size_t>(lower_.cols()));
-  std::iota(order.begin(), order.end(), 0);
-  symbolic_ = std::make_shared<const SymbolicFactor>(analyze(lower_, order));
-  placeOf_.resize(order.size());
+  SymbolicFactor structure = analyze(lower_, minimumDegreeOrder(lower_));
+  lower_ = withRowsBelow(lower_, structure.order, reduced_);
+  symbolic_ = std::make_shared<const SymbolicFactor>(withMultipliers(structure, lower_));
+  placeOf_.resize(symbolic_->order.size());
   for (int k = 0; k < symbolic_->size(); ++k) placeOf_[static_cast<std::size_t>(symbolic_->order[k])] = k;
 }
 
+/// Of [M, K^T; K, -1/D], which is M + K^T D K for the columns of M. Large weights would take the digits of M in that
+/// sum.
 Result<std::unique_ptr<const PackedFactor>> BoundedRows::factorOf(const Eigen::VectorXd& weights) const
 {
   SparseMatrix lower = lower_;
-  for (Index r = 0; r < reduced_.rows(); ++r)
-    for (SparseRows::InnerIterator a(reduced_, r); a; ++a)
-      for (SparseRows::InnerIterator b(reduced_, r); b; ++b)
-        if (placeOf_[a.col()] >= placeOf_[b.col()])
-          lower.coeffRef(placeOf_[a.col()], placeOf_[b.col()]) += weights[r] * a.value() * b.value();
+  const Index columns = reduced_.cols();
+  for (Index r = 0; r < weights.size(); ++r) {
+    const int place = placeOf_[static_cast<std::size_t>(columns + r)];
+    lower.coeffRef(place, place) = -1 / std::max(weights[r], kLeastWeight);
+  }
   return factorizeMultifrontal(symbolic_, std::move(lower));
 }
 
@@ -124,11 +142,11 @@ Eigen::VectorXd BoundedRows::gradientAt(const Eigen::VectorXd& u, const Eigen::V
 Eigen::VectorXd BoundedRows::solve(const PackedFactor& factor, const Eigen::VectorXd& g) const
 {
   std::vector<double> x(4 * placeOf_.size(), 0);
-  for (std::size_t k = 0; k < placeOf_.size(); ++k) x[4 * static_cast<std::size_t>(placeOf_[k])] = g[k];
+  for (Index k = 0; k < g.size(); ++k) x[4 * static_cast<std::size_t>(placeOf_[k])] = g[k];
   factor.solveForward(x);
   factor.solveBackward(x);
   Eigen::VectorXd z(g.size());
-  for (std::size_t k = 0; k < placeOf_.size(); ++k) z[k] = x[4 * static_cast<std::size_t>(placeOf_[k])];
+  for (Index k = 0; k < z.size(); ++k) z[k] = x[4 * static_cast<std::size_t>(placeOf_[k])];
   return z;
 }
 
@@ -193,11 +211,14 @@ Result<std::unique_ptr<const BoundedOffsets>> BoundedRows::offsetsOf(const Bound
     const Eigen::VectorXd forcesBy = changeOfForces(products, roomBy);
     const double length =
         std::min(1.0, kToTheBound * std::min(longestStep(room, roomBy), longestStep(forces, forcesBy)));
+    if (length < kStalled) break;
     u += length * (Q2_.columns() * z);
     offsets = B_ * u - start.targets;
     room += length * roomBy;
     forces += length * forcesBy;
   }
+  if (count > 0 && !(room.dot(forces) <= kUsableGapOfWork * start.work))
+    return {nullptr, "the places within the bounds keep no digits"};
   auto result = std::make_unique<BoundedOffsets>();
   result->isAtBound.assign(bounds.size(), 0);
   for (Index k = 0; k < count; ++k) {

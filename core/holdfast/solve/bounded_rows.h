@@ -40,9 +40,9 @@ struct BoundedOffsets {
 class BoundedRows {
  public:
   /// The rows `bounded` (places in `eliminated`, ascending) are bounded, and all others are exact. No dependency may
-  /// have a bounded row. `ranks` is the order of elimination, see `eliminationRanks`.
+  /// have a bounded row.
   BoundedRows(std::shared_ptr<const EnergyMatrix> A, const EliminatedConstraints& eliminated,
-              const std::vector<Index>& bounded, const std::vector<int>& ranks);
+              const std::vector<Index>& bounded);
 
   /// Returns the offsets of the least energy, and those of `start` where no row holds the surface. Calls `announce`
   /// with the number of each factorisation, from 1, before it. Throws what that throws. Fails where a factorisation
@@ -63,8 +63,8 @@ class BoundedRows {
   TwoWayMatrix Q2_;
   SparseRows reduced_;  // B Q2
   std::shared_ptr<const SymbolicFactor> symbolic_;
-  SparseMatrix lower_;        // of Q2^T A^T A Q2, with room for what weights of rows add, in the order of elimination
-  std::vector<int> placeOf_;  // of each column, in that order
+  SparseMatrix lower_;        // of Q2^T A^T A Q2 with the bounded rows below it, in the order of elimination
+  std::vector<int> placeOf_;  // of each column in that order, and of each row behind them
 };
 
 }  // namespace holdfast

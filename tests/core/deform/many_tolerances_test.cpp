@@ -73,6 +73,34 @@ TEST(ManyTolerances, OfBoxesHaveForcesAcrossTheirBoundsAlone)
   EXPECT_GT(atBound, 1000);
 }
 
+/// Points in faces have huge weights on three vertices each, where they are at their bounds.
+TEST(ManyTolerances, OfPointsInFacesHaveForcesAcrossTheirBoundsAlone)
+{
+  constexpr double kHalf = 0.01;
+  const Mesh mesh = test::grid(80, 56);
+  std::vector<Index> side;
+  for (Index v = 0; v <= 80; ++v) side.push_back(v);
+  std::vector<Constraint> list{test::hold(side)};
+  test::Random random(23);
+  for (Index face = 200; face < mesh.faces.size(); face += 4)
+    list.push_back({"", true,
+                    PointConstraint{AtFace{face, {0.25, 0.25, 0.5}}, Move{test::randomVector(random, 0.1)},
+                                    WithinBox{Vector3::Constant(kHalf)}}});
+  ASSERT_GT(list.size(), kMostTolerantPoints);
+  const DeformResult result = test::deformed(mesh, test::listOf(list), {});
+  ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
+  const Columns3& forces = result.details->multipliers.get().ofRows;
+  const double largest = forces.cwiseAbs().maxCoeff();
+  for (const TolerantRow& row : result.details->system.tolerant)
+    for (Index axis = 0; axis < 3; ++axis) {
+      const double offset = result.details->system.rows[row.row].target[axis] - row.target[axis];
+      const double force = forces(row.row, axis);
+      EXPECT_LE(std::abs(offset), kHalf + 4e-14);
+      EXPECT_LE((1 - std::abs(offset) / kHalf) * std::abs(force) / largest, 1e-9) << "either room or force";
+      if (std::abs(force) > 1e-6 * largest) EXPECT_LT(offset * force, 0) << "a bound pushes inwards";
+    }
+}
+
 /// All points soft: the soft solver is an oracle.
 TEST(ManyTolerances, OfWeightsAreThoseOfSoftConstraints)
 {
@@ -114,6 +142,16 @@ TEST(ManyTolerances, OfASlideLeaveTheSurfaceWhereItIsAlongThePlane)
     EXPECT_EQ(result.positions.row(v).head<2>(), mesh.positions.row(v).head<2>());
     EXPECT_NEAR(result.positions(v, 2), 0.5, 0.125 + 1e-15);
   }
+}
+
+TEST(ManyTolerances, FollowExactPointsInOneEdit)
+{
+  const ManyMeasured boxes(WithinBox{{0.02, 0.05, 0.03}});
+  Deformer deformer(makeModel(boxes.mesh), {}, DeformerMode::Interactive);
+  static_cast<void>(deformer.deform(test::listOf(ManyMeasured(Exactly{}).list)));
+  const DeformResult result = deformer.deform(test::listOf(boxes.list));
+  ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
+  EXPECT_LT(test::distance(result.positions, boxes.result().positions), 1e-9);
 }
 
 TEST(ManyTolerances, AreRefusedWhereABallIsAmongThem)
