@@ -46,7 +46,7 @@ class BoundedRows {
 
   /// Returns the offsets of the least energy, and those of `start` where no row holds the surface. Calls `announce`
   /// with the number of each factorisation, from 1, before it. Throws what that throws. Fails where a factorisation
-  /// does.
+  /// does, and where rounding leaves more than 1e-7 of the work to be done.
   [[nodiscard]] Result<std::unique_ptr<const BoundedOffsets>> offsetsOf(const BoundedStart& start,
                                                                         const std::vector<RowBound>& bounds,
                                                                         const std::function<void(int)>& announce) const;
