@@ -10,6 +10,7 @@
 #include <holdfast/deform/determined_part.h>
 #include <holdfast/deform/found_shape.h>
 #include <holdfast/deform/messages.h>
+#include <holdfast/deform/tolerance_offsets.h>
 #include <holdfast/matrices/largest_size.h>
 #include <holdfast/operators/model_size.h>
 #include <holdfast/rotation/decided_rotations.h>
@@ -147,10 +148,8 @@ class FrameSolver {
 
   void prepareSeparate(Progress& progress)
   {
-    std::vector<Index> rows;
-    for (const TolerantRow& tolerant : details_->system.tolerant) rows.push_back(tolerant.row);
-    if (by_.separate.rows == rows) return;
-    progress.step(fmt::format("preparing the places of {} points", rows.size()));
+    if (by_.separate.rows == rowsOfTolerant(details_->system)) return;
+    progress.step(fmt::format("preparing the places of {} points", details_->system.tolerant.size()));
     by_.separate = separatePlaces(details_->system, *by_.eliminated, problem_.operators.A);
   }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What tolerances allow the offsets of points from their stated targets to be.
+/// Tolerances say what the offsets of points from their stated targets may be.
 
 #include <vector>
 

@@ -36,7 +36,7 @@ struct Side {
   Index row = 0;
   double sign = 1;
   double most = 0;
-  double size = 1;  // of what is bounded
+  double size = 1;  // the room between the bounds of the row
 };
 
 std::vector<Side> sidesOf(const std::vector<RowBound>& bounds)
@@ -211,7 +211,7 @@ Result<std::unique_ptr<const BoundedOffsets>> BoundedRows::offsetsOf(const Bound
     const Eigen::VectorXd forcesBy = changeOfForces(products, roomBy);
     const double length =
         std::min(1.0, kToTheBound * std::min(longestStep(room, roomBy), longestStep(forces, forcesBy)));
-    if (length < kStalled) break;
+    if (length < kStalled && gap <= kUsableGapOfWork * start.work) break;
     u += length * (Q2_.columns() * z);
     offsets = B_ * u - start.targets;
     room += length * roomBy;

@@ -21,7 +21,7 @@ struct RowBound {
   double weight = 0;
 };
 
-/// What `BoundedRows::offsetsOf` begins with, along one axis.
+/// `BoundedRows::offsetsOf` begins with this, along one axis.
 struct BoundedStart {
   Eigen::VectorXd u;        ///< n: meets the exact rows, and all bounds with room
   Eigen::VectorXd f;        ///< what A u is to be near

@@ -1,5 +1,5 @@
 #pragma once
-/// One bound of the offset of a point.
+/// A bound keeps the offset of a point within a ball or on one side of a plane.
 
 #include <holdfast/constraints/row_directions.h>
 #include <holdfast/numbers/types.h>

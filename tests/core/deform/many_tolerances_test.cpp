@@ -96,7 +96,7 @@ TEST(ManyTolerances, OfPointsInFacesHaveForcesAcrossTheirBoundsAlone)
       const double offset = result.details->system.rows[row.row].target[axis] - row.target[axis];
       const double force = forces(row.row, axis);
       EXPECT_LE(std::abs(offset), kHalf + 4e-14);
-      EXPECT_LE((1 - std::abs(offset) / kHalf) * std::abs(force) / largest, 1e-7) << "either room or force";
+      EXPECT_LE((1 - std::abs(offset) / kHalf) * std::abs(force) / largest, 1e-8) << "either room or force";
       if (std::abs(force) < 1e-6 * largest) continue;
       EXPECT_LT(offset * force, 0) << "a bound pushes inwards";
     }
